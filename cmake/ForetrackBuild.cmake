@@ -1,0 +1,67 @@
+# Compiler settings and the three kinds of target: a core stage, a service library, a test.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Threads REQUIRED)
+
+# Our own code: warnings are errors, and no contraction, so that results do not depend on the machine.
+add_library(foretrack_options INTERFACE)
+target_compile_options(foretrack_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror -ffp-contract=off)
+target_include_directories(foretrack_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(foretrack_options INTERFACE Eigen3::Eigen)
+if(FORETRACK_SANITIZE)
+  target_compile_options(foretrack_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g -O1)
+  target_link_options(foretrack_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# A static library foretrack_<name> from all sources of the calling folder's <name>/.
+function(foretrack_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(sources)
+    add_library(foretrack_${name} STATIC ${sources})
+    target_link_libraries(foretrack_${name} PUBLIC foretrack_options ${ARG_DEPENDS})
+  else()
+    add_library(foretrack_${name} INTERFACE)
+    target_link_libraries(foretrack_${name} INTERFACE foretrack_options ${ARG_DEPENDS})
+  endif()
+endfunction()
+
+# A GoogleTest program from all sources of a folder; ctest runs it as one test.
+# foretrack_test(core/planning LABEL unit DEPENDS foretrack_planning)
+function(foretrack_test folder)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  string(REPLACE "/" "_" name ${folder})
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE foretrack_options ${ARG_DEPENDS}
+    GTest::gmock GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE FORETRACK_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${folder} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  set_tests_properties(${folder} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+endfunction()
