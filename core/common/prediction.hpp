@@ -1,0 +1,82 @@
+// Intentions, their assessment, and the paths that would follow.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/common/geometry.hpp"
+
+namespace foretrack {
+
+/// I₀ of the paper (§III.C).
+enum class Intention : std::uint8_t { kForward, kTurnLeft, kTurnRight, kDecelerate };
+inline constexpr int kIntentionCount = 4;
+inline constexpr std::array<std::string_view, kIntentionCount> kIntentionNames = {
+    "forward", "turn_left", "turn_right", "decelerate"};
+constexpr int index_of(Intention i) {
+  return static_cast<int>(i);
+}
+
+/// One row of the assessment (paper eq. 5–10; the probability is ours).
+struct IntentionBelief {
+  double potential = 0.0;    // R_i
+  double observation = 0.0;  // O_i
+  double score = 0.0;        // Π_i in [0, 1], not a distribution
+  double probability = 0.0;  // calibrated; the rows sum to 1
+};
+
+/// Two sectors on the sides of the velocity (paper §III.B).
+struct ReachableRegion {
+  double radius_m = 0.0;
+  double heading_rad = 0.0;           // of the velocity
+  double left_half_angle_rad = 0.0;   // θ_l in [0, π/4]
+  double right_half_angle_rad = 0.0;  // θ_r
+  double left_bisector_rad() const { return heading_rad + left_half_angle_rad; }
+  double right_bisector_rad() const { return heading_rad - right_half_angle_rad; }
+};
+
+struct IntentionAssessment {
+  double stamp_s = 0.0;
+  std::array<IntentionBelief, kIntentionCount> beliefs{};
+  ReachableRegion region;            // R(t)
+  ReachableRegion region_ahead;      // R(t + t0)
+  double obstacle_distance_m = 0.0;  // d_obs along the velocity; > range when nothing is there
+  double body_turn_rad = 0.0;        // r_bv
+
+  const IntentionBelief& operator[](Intention i) const { return beliefs[index_of(i)]; }
+  IntentionBelief& operator[](Intention i) { return beliefs[index_of(i)]; }
+  Intention most_likely() const {
+    int best = 0;
+    for (int i = 1; i < kIntentionCount; ++i)
+      if (beliefs[i].probability > beliefs[best].probability) best = i;
+    return static_cast<Intention>(best);
+  }
+};
+
+/// (z_k, t_k) with its uncertainty.
+struct PredictedState {
+  double time_s = 0.0;  // after the prediction's stamp
+  Vec3 position_enu_m = Vec3::Zero();
+  Vec3 velocity_enu_m_s = Vec3::Zero();
+  Mat2 covariance_m2 = Mat2::Zero();  // horizontal
+};
+
+struct PredictedPath {
+  Intention intention = Intention::kForward;
+  double probability = 0.0;
+  std::vector<PredictedState> states;  // k = 1 … N_p, at time Δ, 2Δ, …, T_p
+};
+
+enum class PredictionStatus : std::uint8_t { kOk, kNoTarget, kTargetBlocked, kSearchExhausted };
+
+/// One path per intention that is possible here, most probable first; probabilities sum to 1.
+struct Prediction {
+  double stamp_s = 0.0;  // of the target state it starts from
+  PredictionStatus status = PredictionStatus::kNoTarget;
+  std::vector<PredictedPath> paths;
+  int expansions = 0;
+};
+
+}  // namespace foretrack
