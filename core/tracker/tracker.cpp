@@ -1,0 +1,49 @@
+#include "core/tracker/tracker.hpp"
+
+namespace foretrack {
+namespace {
+
+const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
+  if (input.known_map) return input.known_map;
+  return state.mapping.local.empty() ? nullptr : &state.mapping.local;
+}
+
+}  // namespace
+
+ParamRows rows(TrackerRates& rates) {
+  return {{"plan_period_s", &rates.plan_period_s, "s", 0.01, 1.0, "between two replans"}};
+}
+
+TrackerState::TrackerState(const TrackerParams& params) : mapping(params.mapping) {}
+
+TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params) {
+  TrackerOutput out;
+  state.vehicles.add(input.vehicle);
+  if (input.observation)
+    perceive(state.perception, *input.observation, state.vehicles, params.perception);
+  out.target = coast(state.perception, input.now_s, params.perception);
+  if (input.depth)
+    update_map(state.mapping, *input.depth, state.vehicles, &out.target, params.mapping);
+  out.map = map_of(state, input);
+
+  const PlannedTrajectory* fresh = nullptr;
+  if (out.map && input.now_s >= state.next_plan_s) {
+    state.next_plan_s = input.now_s + params.tracker.plan_period_s - 1e-6;
+    out.prediction = &predict(state.prediction, out.target, *out.map, params.prediction);
+    out.plan = &plan(state.planning,
+                     {.now_s = input.now_s,
+                      .vehicle = input.vehicle,
+                      .target = out.target,
+                      .intention = &out.prediction->intention,
+                      .prediction = &out.prediction->prediction,
+                      .map = out.map},
+                     params.planning);
+    out.planned = true;
+    fresh = &out.plan->trajectory;
+  }
+  out.gate = gate(state.gate, {input.now_s, fresh, input.vehicle, input.autopilot, input.command},
+                  params.safety);
+  return out;
+}
+
+}  // namespace foretrack

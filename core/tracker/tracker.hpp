@@ -1,0 +1,63 @@
+// One step through all stages, in lock-step and without DDS: what the benchmark, an embedder and the lock-step flight
+// call. The stages meet here and nowhere else.
+#pragma once
+
+#include "core/mapping/update_map.hpp"
+#include "core/perception/perceive.hpp"
+#include "core/planning/plan.hpp"
+#include "core/prediction/predict.hpp"
+#include "core/safety/gate.hpp"
+
+namespace foretrack {
+
+struct TrackerRates {
+  double plan_period_s = 0.05;
+};
+ParamRows rows(TrackerRates& rates);
+
+struct TrackerParams {
+  TrackerRates tracker;
+  PerceptionParams perception;
+  MappingParams mapping;
+  PredictionParams prediction;
+  PlanningParams planning;
+  SafetyParams safety;
+};
+
+/// What is new at now_s. Null: nothing of that kind came.
+struct TrackerInput {
+  double now_s = 0.0;
+  VehicleState vehicle;
+  AutopilotStatus autopilot;
+  const TargetObservation* observation = nullptr;
+  const DepthImage* depth = nullptr;
+  const GridMap* known_map = nullptr;  // null: the map is built from depth
+  const MissionCommand* command = nullptr;
+};
+
+struct TrackerState {
+  explicit TrackerState(const TrackerParams& params);
+  VehicleHistory vehicles;
+  PerceptionState perception;
+  MappingState mapping;
+  PredictionState prediction;
+  PlanningState planning;
+  GateState gate;
+  double next_plan_s = -1.0;
+  std::uint64_t last_plan_id = 0;
+};
+
+/// What every stage said last. The pointers are into the state, null before the stage first ran.
+struct TrackerOutput {
+  TargetState target;
+  const PredictionResult* prediction = nullptr;
+  const PlanResult* plan = nullptr;
+  const GridMap* map = nullptr;
+  bool planned = false;  // a plan was made in this step
+  GateResult gate;
+};
+
+/// perceive → update map → predict → plan → gate. Call it at the gate's rate (100 Hz). Precondition: now_s grows.
+TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params);
+
+}  // namespace foretrack
