@@ -1,0 +1,30 @@
+#include "core/mapping/params.hpp"
+
+namespace foretrack {
+
+ParamRows rows(MappingParams& p) {
+  return {
+      {"resolution_m", &p.resolution_m, "m", 0.05, 1.0, "edge of a cell"},
+      {"box_width_m", &p.box_width_m, "m", 1.0, 60.0, "of the local map around the vehicle"},
+      {"box_height_m", &p.box_height_m, "m", 1.0, 20.0, "of the local map around the vehicle"},
+      {"scroll_step_m", &p.scroll_step_m, "m", 0.1, 10.0,
+       "the box follows when the vehicle is farther from its centre"},
+      {"min_range_m", &p.min_range_m, "m", 0.0, 5.0, "nearer returns are ignored"},
+      {"max_range_m", &p.max_range_m, "m", 0.5, 50.0,
+       "farther returns say only that it is free to there"},
+      {"hit_columns", &p.hit_columns, "1", 1, 4096, "columns of the image whose returns are used"},
+      {"ray_columns", &p.ray_columns, "1", 1, 4096, "columns of the image whose rays clear"},
+      {"hit_log_odds", &p.hit_log_odds, "1", 0.05, 5.0, "added where a return is"},
+      {"miss_log_odds", &p.miss_log_odds, "1", 0.05, 5.0, "subtracted where a ray passes"},
+      {"min_log_odds", &p.min_log_odds, "1", -6.0, -0.05, "surely free"},
+      {"max_log_odds", &p.max_log_odds, "1", 0.05, 6.0, "surely occupied"},
+      {"target_radius_m", &p.target_radius_m, "m", 0.0, 2.0,
+       "returns within this cylinder around the target are not obstacles"},
+      {"target_above_m", &p.target_above_m, "m", 0.0, 3.0, "its height above the torso"},
+      {"target_below_m", &p.target_below_m, "m", 0.0, 3.0, "its depth below the torso"},
+      {"vehicle_bubble_m", &p.vehicle_bubble_m, "m", 0.0, 3.0,
+       "unknown space this near the vehicle is free"},
+  };
+}
+
+}  // namespace foretrack

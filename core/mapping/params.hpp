@@ -1,0 +1,32 @@
+// The parameters of mapping.
+#pragma once
+
+#include "core/common/params.hpp"
+
+namespace foretrack {
+
+struct MappingParams {
+  double resolution_m = 0.15;
+  double box_width_m = 15.0;
+  double box_height_m = 3.6;
+  double scroll_step_m = 0.75;
+  // Depth images.
+  double min_range_m = 0.2;
+  double max_range_m = 6.0;
+  int hit_columns = 320;
+  int ray_columns = 80;
+  // Occupancy.
+  double hit_log_odds = 0.85;
+  double miss_log_odds = 0.4;
+  double min_log_odds = -2.0;
+  double max_log_odds = 2.5;
+  // What is not an obstacle.
+  double target_radius_m = 0.5;
+  double target_above_m = 1.0;
+  double target_below_m = 1.4;
+  double vehicle_bubble_m = 0.6;
+};
+
+ParamRows rows(MappingParams& p);
+
+}  // namespace foretrack

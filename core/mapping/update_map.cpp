@@ -1,0 +1,222 @@
+#include "core/mapping/update_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/mapping/local_box.hpp"
+
+namespace foretrack {
+namespace {
+
+using Vec3i = Eigen::Vector3i;
+
+enum Mark : std::uint8_t { kUntouched, kPassed, kHit };
+
+// A vertical cylinder in which returns are the target's.
+struct TargetBody {
+  bool present = false;
+  Vec3 torso_enu_m = Vec3::Zero();
+  double radius_m = 0.0, above_m = 0.0, below_m = 0.0;
+
+  bool contains(const Vec3& p) const {
+    const double height_m = p.z() - torso_enu_m.z();
+    return present && height_m <= above_m && height_m >= -below_m &&
+           (p - torso_enu_m).head<2>().squaredNorm() <= radius_m * radius_m;
+  }
+};
+
+TargetBody body_at(const TargetState* target, double stamp_s, const MappingParams& params) {
+  TargetBody body;
+  if (target == nullptr || !target->usable()) return body;
+  body.present = true;
+  body.torso_enu_m =
+      target->position_enu_m + (stamp_s - target->stamp_s) * target->velocity_enu_m_s;
+  body.radius_m = params.target_radius_m;
+  body.above_m = params.target_above_m;
+  body.below_m = params.target_below_m;
+  return body;
+}
+
+// One image's rays, from the camera's place into the box.
+struct Scan {
+  MappingState& state;
+  const DepthImage& image;
+  const MappingParams& params;
+  Pose T_world_camera;
+  TargetBody target;
+
+  // In the camera, at z = 1.
+  Vec3 ray_of(int u, int v) const {
+    const CameraModel& c = image.camera;
+    return {(u + 0.5 - c.cx_px) / c.fx_px, (v + 0.5 - c.cy_px) / c.fy_px, 1.0};
+  }
+
+  void mark(std::size_t offset, Mark value) {
+    std::uint8_t& mark = state.marks[offset];
+    if (mark == kUntouched) state.touched.push_back(static_cast<std::uint32_t>(offset));
+    mark = std::max<std::uint8_t>(mark, value);
+  }
+
+  int mark_hits() {
+    const int stride = std::max(1, image.camera.width_px / params.hit_columns);
+    int hits = 0;
+    for (int v = stride / 2; v < image.camera.height_px; v += stride)
+      for (int u = stride / 2; u < image.camera.width_px; u += stride) hits += mark_hit(u, v);
+    return hits;
+  }
+
+  bool mark_hit(int u, int v) {
+    const double depth_m = image.depth_m[static_cast<std::size_t>(v) * image.camera.width_px + u];
+    if (!(depth_m >= params.min_range_m && depth_m <= params.max_range_m)) return false;
+    const Vec3 in_camera = depth_m * ray_of(u, v);
+    if (in_camera.squaredNorm() > params.max_range_m * params.max_range_m) return false;
+    const Vec3 point = T_world_camera * in_camera;
+    const Vec3i cell = state.map.index_of(point);
+    if (!state.map.contains(cell) || target.contains(point)) return false;
+    mark(state.map.offset_of(cell), kHit);
+    return true;
+  }
+
+  int mark_rays() {
+    const int stride = std::max(1, image.camera.width_px / params.ray_columns);
+    int rays = 0;
+    for (int v = stride / 2; v < image.camera.height_px; v += stride)
+      for (int u = stride / 2; u < image.camera.width_px; u += stride) {
+        const double depth_m =
+            image.depth_m[static_cast<std::size_t>(v) * image.camera.width_px + u];
+        if (!(depth_m >= params.min_range_m)) continue;
+        const Vec3 direction = ray_of(u, v);
+        const double per_depth = direction.norm();
+        pass(T_world_camera.linear() * direction / per_depth,
+             std::min(depth_m * per_depth, params.max_range_m));
+        ++rays;
+      }
+    return rays;
+  }
+
+  // Marks the cells from the camera up to, not including, the cell at the ray's end (Amanatides
+  // and Woo 1987). Stops at the side of the box: it is convex.
+  void pass(const Vec3& direction, double length_m) {
+    const Vec3 start = T_world_camera.translation();
+    const Vec3i size = state.map.size;
+    const std::array<std::ptrdiff_t, 3> strides = {
+        1, size.x(), static_cast<std::ptrdiff_t>(size.x()) * size.y()};
+    Vec3i cell = state.map.index_of(start);
+    if (!state.map.contains(cell)) return;
+    std::array<double, 3> next, delta;
+    std::array<std::ptrdiff_t, 3> step;
+    std::array<int, 3> left;  // cells to the side of the box
+    for (int a = 0; a < 3; ++a) {
+      const bool forward = direction[a] >= 0.0;
+      const double face =
+          state.map.origin_enu_m[a] + state.map.resolution_m * (cell[a] + (forward ? 1 : 0));
+      const bool still = std::abs(direction[a]) < 1e-12;
+      delta[a] = still ? std::numeric_limits<double>::infinity()
+                       : state.map.resolution_m / std::abs(direction[a]);
+      next[a] = still ? delta[a] : (face - start[a]) / direction[a];
+      step[a] = forward ? strides[a] : -strides[a];
+      left[a] = forward ? size[a] - 1 - cell[a] : cell[a];
+    }
+    auto offset = static_cast<std::ptrdiff_t>(state.map.offset_of(cell));
+    for (;;) {
+      const int a = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+      if (next[a] > length_m) return;  // the ray ends in this cell
+      mark(static_cast<std::size_t>(offset), kPassed);
+      if (left[a]-- == 0) return;
+      offset += step[a];
+      next[a] += delta[a];
+    }
+  }
+};
+
+int apply_marks(MappingState& state, const MappingParams& params) {
+  const int hit = log_odds_steps(params.hit_log_odds), miss = log_odds_steps(params.miss_log_odds);
+  const int low = log_odds_steps(params.min_log_odds), high = log_odds_steps(params.max_log_odds);
+  int changed = 0;
+  for (const std::uint32_t offset : state.touched) {
+    const int change = state.marks[offset] == kHit ? hit : -miss;
+    const std::int8_t before = state.log_odds[offset];
+    const int sum = (before == kUnknownLogOdds ? 0 : before) + change;
+    const auto after = static_cast<std::int8_t>(std::clamp(sum, low, high));
+    if (after != before) changed += set_log_odds(state, offset, after);
+    state.marks[offset] = kUntouched;
+  }
+  return changed;
+}
+
+// The vehicle is there, so it is free, though the camera never sees it.
+int free_bubble(MappingState& state, const Vec3& centre_enu_m, const MappingParams& params) {
+  const Vec3 reach = Vec3::Constant(params.vehicle_bubble_m);
+  const Vec3i low = state.map.index_of(centre_enu_m - reach).cwiseMax(0);
+  const Vec3i high =
+      state.map.index_of(centre_enu_m + reach).cwiseMin(state.map.size - Vec3i::Ones());
+  const std::int8_t free = log_odds_steps(params.min_log_odds);
+  int changed = 0;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const std::size_t offset = state.map.offset_of({x, y, z});
+        const bool near = (state.map.center_of({x, y, z}) - centre_enu_m).norm() <= reach.x();
+        if (near && state.log_odds[offset] == kUnknownLogOdds)
+          changed += set_log_odds(state, offset, free);
+      }
+  return changed;
+}
+
+}  // namespace
+
+MappingState::MappingState(const MappingParams& params) {
+  MappingParams copy = params;
+  validate_or_throw("mapping", rows(copy));
+  tree = std::make_unique<octomap::OcTree>(params.resolution_m);
+  map.resolution_m = params.resolution_m;
+  map.size = box_size(params);
+  log_odds.assign(map.cell_count(), kUnknownLogOdds);
+  marks.assign(map.cell_count(), kUntouched);
+  touched.reserve(map.cell_count());
+  base.setZero();
+}
+
+std::string_view to_string(MapStatus status) {
+  constexpr std::array<std::string_view, 3> names = {"updated", "no pose of the vehicle",
+                                                     "invalid image"};
+  return names.at(static_cast<std::size_t>(status));
+}
+
+MapUpdate update_map(MappingState& state, const DepthImage& image, const VehicleHistory& vehicle,
+                     const TargetState* target, const MappingParams& params) {
+  MapUpdate update;
+  const CameraModel& camera = image.camera;
+  if (camera.width_px <= 0 || camera.height_px <= 0 ||
+      image.depth_m.size() != static_cast<std::size_t>(camera.width_px) * camera.height_px) {
+    update.status = MapStatus::kInvalidImage;
+    return update;
+  }
+  const auto at_image = vehicle.at(image.stamp_s);
+  if (!at_image) {
+    update.status = MapStatus::kNoVehiclePose;
+    return update;
+  }
+  if (!state.placed)
+    state.map.cells.assign(state.map.cell_count(), static_cast<std::uint8_t>(Cell::kUnknown));
+  update.scrolled = follow_vehicle(state, at_image->position_enu_m, params);
+
+  Scan scan{state, image, params, at_image->T_world_body() * camera.T_body_camera,
+            body_at(target, image.stamp_s, params)};
+  state.touched.clear();
+  update.hits = scan.mark_hits();
+  update.rays = scan.mark_rays();
+  update.touched_cells = static_cast<int>(state.touched.size());
+  update.changed_cells = apply_marks(state, params);
+  update.changed_cells += free_bubble(state, at_image->position_enu_m, params);
+  if (update.changed_cells > 0 || update.scrolled) update_distances(state.map, state.distances);
+  state.map.stamp_s = image.stamp_s;
+  return update;
+}
+
+const GridMap& local_map(const MappingState& state) {
+  return state.map;
+}
+
+}  // namespace foretrack

@@ -1,0 +1,192 @@
+#include "core/perception/body_pose.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "core/common/random.hpp"
+
+namespace foretrack {
+namespace {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat26 = Eigen::Matrix<double, 2, 6>;
+
+constexpr int kRefinements = 12;
+constexpr double kInlierSigmas = 4.0;
+
+struct Pair {
+  Vec2 ray;     // image point at z = 1
+  Vec3 body_m;  // scaled to the target's height
+  int landmark;
+};
+
+struct Pairs {
+  std::array<Pair, kLandmarkCount> items;
+  int count = 0;
+  const Pair* begin() const { return items.data(); }
+  const Pair* end() const { return items.data() + count; }
+};
+
+bool is_visible(const Landmark& landmark, const PerceptionParams& params) {
+  return landmark.visibility > params.min_visibility && landmark.image_px.allFinite() &&
+         landmark.body_m.allFinite();
+}
+
+Pairs visible_pairs(const std::array<Landmark, kLandmarkCount>& landmarks,
+                    const CameraModel& camera, const PerceptionParams& params) {
+  const double scale = params.target_height_m / params.landmark_height_m;
+  Pairs pairs;
+  for (int i = 0; i < kLandmarkCount; ++i) {
+    const Landmark& l = landmarks[i];
+    if (!is_visible(l, params)) continue;
+    const Vec2 ray((l.image_px.x() - camera.cx_px) / camera.fx_px,
+                   (l.image_px.y() - camera.cy_px) / camera.fy_px);
+    pairs.items[pairs.count++] = {ray, scale * l.body_m, i};
+  }
+  return pairs;
+}
+
+// x/z = ray of both points gives four equations that are linear in t when R = I.
+Vec3 translation_of(const Pair& a, const Pair& b) {
+  Mat3 normal = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  for (const Pair* p : {&a, &b})
+    for (int axis = 0; axis < 2; ++axis) {
+      Vec3 row = Vec3::Zero();
+      row[axis] = 1.0;
+      row.z() = -p->ray[axis];
+      normal += row * row.transpose();
+      right += row * (p->ray[axis] * p->body_m.z() - p->body_m[axis]);
+    }
+  return normal.inverse() * right;
+}
+
+// Sum of the squared distances from the rays, each at most the radius squared (MSAC).
+double disagreement(const Pairs& pairs, const Vec3& t, double radius_m) {
+  double sum = 0.0;
+  for (const Pair& p : pairs) {
+    const Vec3 x = p.body_m + t;
+    const double miss2 = (x.head<2>() - x.z() * p.ray).squaredNorm();
+    sum += x.z() > 0.1 ? std::min(miss2, radius_m * radius_m) : radius_m * radius_m;
+  }
+  return sum;
+}
+
+Vec3 consensus_translation(const Pairs& pairs, const PerceptionParams& params) {
+  Random random(1);
+  Vec3 best = Vec3(0.0, 0.0, 3.0);
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < params.consensus_samples; ++k) {
+    const int i = random.integer(0, pairs.count - 1);
+    const int j = (i + random.integer(1, pairs.count - 1)) % pairs.count;
+    const Vec3 t = translation_of(pairs.items[i], pairs.items[j]);
+    if (!t.allFinite()) continue;
+    const double sum = disagreement(pairs, t, params.consensus_radius_m);
+    if (sum < least) least = sum, best = t;
+  }
+  return best;
+}
+
+Mat3 skew(const Vec3& v) {
+  Mat3 s;
+  s << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return s;
+}
+
+// One pose and what its landmarks say of it.
+struct Refiner {
+  const Pairs& pairs;
+  const PerceptionParams& params;
+  double focal_px;
+  Mat3 R = Mat3::Identity();
+  Vec3 t;
+
+  double sigma_at(double z) const {
+    return std::hypot(params.image_noise_px / focal_px, params.joint_noise_m / z);
+  }
+  // Image error of a pair in standard deviations; infinite behind the camera.
+  double error_of(const Pair& p) const {
+    const Vec3 x = R * p.body_m + t;
+    if (x.z() < 0.1) return std::numeric_limits<double>::infinity();
+    return (x.head<2>() / x.z() - p.ray).norm() / sigma_at(x.z());
+  }
+  // `width`: errors beyond this many standard deviations count less and less.
+  double step(double width) {
+    Mat6 normal = Mat6::Zero();
+    Vec6 right = Vec6::Zero();
+    for (const Pair& p : pairs) accumulate(p, width, normal, right);
+    const Eigen::AngleAxisd turned(R);
+    const double information = 1.0 / (params.alignment_noise_rad * params.alignment_noise_rad);
+    normal.topLeftCorner<3, 3>().diagonal().array() += information;
+    right.head<3>() -= information * turned.angle() * turned.axis();
+    const Vec6 delta = normal.ldlt().solve(right);
+    const double angle = delta.head<3>().norm();
+    if (angle > 1e-12) R = Eigen::AngleAxisd(angle, delta.head<3>() / angle) * R;
+    t += delta.tail<3>();
+    return delta.norm();
+  }
+  void accumulate(const Pair& p, double width, Mat6& normal, Vec6& right) const {
+    const Vec3 rotated = R * p.body_m;
+    const Vec3 x = rotated + t;
+    if (x.z() < 0.1) return;
+    const double iz = 1.0 / x.z();
+    const Vec2 error = p.ray - x.head<2>() * iz;
+    Eigen::Matrix<double, 2, 3> image;
+    image << iz, 0, -x.x() * iz * iz, 0, iz, -x.y() * iz * iz;
+    Mat26 jacobian;
+    jacobian << -image * skew(rotated), image;
+    const double sigma = sigma_at(x.z());
+    const double ratio = error.squaredNorm() / (sigma * sigma * width * width);
+    const double weight = 1.0 / ((1.0 + ratio) * (1.0 + ratio) * sigma * sigma);
+    normal.noalias() += weight * jacobian.transpose() * jacobian;
+    right.noalias() += weight * jacobian.transpose() * error;
+  }
+};
+
+// The loss starts wide and narrows, so that the start need not be good.
+void refine(Refiner& refiner) {
+  double width = 12.0;
+  for (int k = 0; k < kRefinements; ++k) {
+    const double moved = refiner.step(width);
+    if (width == kInlierSigmas && moved < 1e-5) return;
+    width = std::max(0.6 * width, kInlierSigmas);
+  }
+}
+
+}  // namespace
+
+int visible_count(const std::array<Landmark, kLandmarkCount>& landmarks,
+                  const PerceptionParams& params) {
+  int count = 0;
+  for (const Landmark& l : landmarks) count += is_visible(l, params);
+  return count;
+}
+
+std::optional<BodyPose> estimate_body_pose(const std::array<Landmark, kLandmarkCount>& landmarks,
+                                           const CameraModel& camera,
+                                           const PerceptionParams& params) {
+  const Pairs pairs = visible_pairs(landmarks, camera, params);
+  if (pairs.count < std::max(params.min_landmarks, 2)) return std::nullopt;
+  Refiner refiner{pairs, params, camera.fx_px, Mat3::Identity(),
+                  consensus_translation(pairs, params)};
+  refine(refiner);
+  if (!refiner.R.allFinite() || !refiner.t.allFinite()) return std::nullopt;
+
+  BodyPose pose;
+  pose.T_camera_human.linear() = refiner.R;
+  pose.T_camera_human.translation() = refiner.t;
+  double sum = 0.0;
+  for (const Pair& p : pairs) {
+    if (refiner.error_of(p) > kInlierSigmas) continue;
+    pose.used[p.landmark] = true;
+    ++pose.used_count;
+    const Vec2 image = *camera.project(refiner.R * p.body_m + refiner.t);
+    sum += (image - landmarks[p.landmark].image_px).squaredNorm();
+  }
+  if (pose.used_count < params.min_landmarks) return std::nullopt;
+  if (refiner.t.z() < 0.1 || refiner.t.norm() > params.max_range_m) return std::nullopt;
+  pose.reprojection_rms_px = std::sqrt(sum / pose.used_count);
+  return pose;
+}
+
+}  // namespace foretrack

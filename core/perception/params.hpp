@@ -1,0 +1,42 @@
+// The parameters of perception.
+#pragma once
+
+#include "core/common/params.hpp"
+
+namespace foretrack {
+
+struct PerceptionParams {
+  // Landmarks → pose of the body in the camera.
+  double target_height_m = 1.75;    // of the person who is followed
+  double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.70)
+  double min_visibility = 0.5;
+  int min_landmarks = 8;
+  int consensus_samples = 24;
+  double consensus_radius_m = 0.25;
+  double image_noise_px = 2.0;
+  double joint_noise_m = 0.03;
+  double alignment_noise_rad = 0.25;
+  double max_range_m = 12.0;
+  // Noise of the torso measurement.
+  double lateral_noise_m = 0.03;
+  double range_noise_ratio = 0.02;
+  double yaw_noise_rad = 0.14;
+  // Filter.
+  double acceleration_density_m2_s3 = 0.6;
+  double vertical_acceleration_density_m2_s3 = 0.05;
+  double vertical_damping_s = 0.5;
+  double initial_speed_sigma_m_s = 1.0;
+  double gate_mahalanobis = 4.0;
+  int reinitialise_after = 5;
+  double reinitialise_radius_m = 1.0;
+  double yaw_density_rad2_s = 0.064;
+  double yaw_gate_rad = 1.6;
+  // Age of the last accepted measurement.
+  double tracking_age_s = 0.25;
+  double lost_age_s = 2.0;
+  double reorder_limit_s = 0.5;
+};
+
+ParamRows rows(PerceptionParams& p);
+
+}  // namespace foretrack

@@ -1,0 +1,174 @@
+#include "core/perception/perceive.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "core/perception/body_pose.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kSameStamp_s = 1e-6;
+
+// Two shoulders in the world → where the chest points. The paper's normal points to the back in a
+// z-up frame; this is its negative.
+double yaw_from_shoulders(const Vec3& left, const Vec3& right) {
+  return std::atan2(right.x() - left.x(), left.y() - right.y());
+}
+
+// Across the line of sight the noise is that of the joints; along it it grows with the range,
+// because range comes from apparent size.
+Mat3 position_noise(const Vec3& sight_m, const PerceptionParams& params) {
+  const double along_m = params.range_noise_ratio * sight_m.norm();
+  const Vec3 direction = sight_m.normalized();
+  return Mat3::Identity() * params.lateral_noise_m * params.lateral_noise_m +
+         along_m * along_m * direction * direction.transpose();
+}
+
+bool measure_landmarks(const TargetObservation& observation, const VehicleHistory& vehicle,
+                       const PerceptionParams& params, PerceptionResult& result) {
+  const auto refuse = [&](PerceptionStatus status) { return result.status = status, false; };
+  if (visible_count(observation.landmarks, params) < params.min_landmarks)
+    return refuse(PerceptionStatus::kTooFewLandmarks);
+  const auto at_image = vehicle.at(observation.stamp_s);
+  if (!at_image) return refuse(PerceptionStatus::kNoVehiclePose);
+  const auto body = estimate_body_pose(observation.landmarks, observation.camera, params);
+  if (!body) return refuse(PerceptionStatus::kPnpFailed);
+
+  const Pose T_world_camera = at_image->T_world_body() * observation.camera.T_body_camera;
+  const double scale = params.target_height_m / params.landmark_height_m;
+  const auto joint_enu_m = [&](TorsoJoint joint) -> Vec3 {
+    return T_world_camera * body->joint_camera_m(scale * observation.landmarks[joint].body_m);
+  };
+  const Vec3 left = joint_enu_m(kLeftShoulder), right = joint_enu_m(kRightShoulder);
+  TorsoMeasurement& m = result.measured;
+  m.position_enu_m = 0.25 * (left + right + joint_enu_m(kLeftHip) + joint_enu_m(kRightHip));
+  m.covariance_m2 = position_noise(m.position_enu_m - T_world_camera.translation(), params);
+  if (body->used[kLeftShoulder] && body->used[kRightShoulder])
+    m.yaw_rad = yaw_from_shoulders(left, right);
+  m.yaw_variance_rad2 = params.yaw_noise_rad * params.yaw_noise_rad;
+  result.used_landmarks = body->used_count;
+  result.reprojection_rms_px = body->reprojection_rms_px;
+  return true;
+}
+
+bool measure_position(const TargetObservation& observation, PerceptionResult& result) {
+  TorsoMeasurement& m = result.measured;
+  m.position_enu_m = observation.position_enu_m;
+  m.covariance_m2 = observation.covariance_m2;
+  m.yaw_rad = observation.body_yaw_rad;
+  m.yaw_variance_rad2 = observation.body_yaw_variance_rad2;
+  return true;
+}
+
+bool is_valid(const TorsoMeasurement& m) {
+  if (!m.position_enu_m.allFinite() || !m.covariance_m2.allFinite()) return false;
+  if (std::isfinite(m.yaw_rad) && !(m.yaw_variance_rad2 > 0.0)) return false;
+  const Eigen::LLT<Mat3> factor(m.covariance_m2);
+  return factor.info() == Eigen::Success;
+}
+
+TargetEstimate estimate_before(const PerceptionState& state, int index) {
+  return index > 0 ? state.entries[index - 1].estimate : TargetEstimate{};
+}
+
+// Puts the measurement at its place in time; returns its index, or −1 with the reason in `status`.
+int insert(PerceptionState& state, const TorsoMeasurement& m, const PerceptionParams& params,
+           PerceptionStatus& status) {
+  int index = state.count;
+  while (index > 0 && state.entries[index - 1].measurement.stamp_s > m.stamp_s) --index;
+  for (int k = std::max(0, index - 1); k < std::min(state.count, index + 1); ++k)
+    if (std::abs(state.entries[k].measurement.stamp_s - m.stamp_s) < kSameStamp_s)
+      return status = PerceptionStatus::kDuplicate, -1;
+  const bool is_late = index < state.count;
+  const double lateness_s =
+      is_late ? state.entries[state.count - 1].measurement.stamp_s - m.stamp_s : 0.0;
+  // Nothing is known from before the oldest entry, so a late one cannot be filtered in there.
+  if (is_late && (index == 0 || lateness_s > params.reorder_limit_s))
+    return status = PerceptionStatus::kTooOld, -1;
+  auto* first = state.entries.data();
+  if (state.count == PerceptionState::kCapacity) {
+    std::move(first + 1, first + index, first);
+    --index;
+  } else {
+    std::move_backward(first + index, first + state.count, first + state.count + 1);
+    ++state.count;
+  }
+  state.entries[index].measurement = m;
+  return index;
+}
+
+PerceptionStatus status_of(FilterVerdict verdict) {
+  switch (verdict) {
+    case FilterVerdict::kAccepted:
+      return PerceptionStatus::kAccepted;
+    case FilterVerdict::kStarted:
+      return PerceptionStatus::kStarted;
+    case FilterVerdict::kGated:
+      break;
+  }
+  return PerceptionStatus::kGated;
+}
+
+void filter(PerceptionState& state, const PerceptionParams& params, PerceptionResult& result) {
+  const int index = insert(state, result.measured, params, result.status);
+  if (index < 0) return;
+  for (int k = index; k < state.count; ++k)
+    state.entries[k].estimate =
+        advance(estimate_before(state, k), state.entries[k].measurement, params);
+  result.status = status_of(state.entries[index].estimate.verdict);
+  result.mahalanobis = state.entries[index].estimate.mahalanobis;
+}
+
+TrackStatus status_at_age(double age_s, const PerceptionParams& params) {
+  if (age_s <= params.tracking_age_s) return TrackStatus::kTracking;
+  return age_s <= params.lost_age_s ? TrackStatus::kCoasting : TrackStatus::kLost;
+}
+
+}  // namespace
+
+std::string_view to_string(PerceptionStatus status) {
+  constexpr std::array<std::string_view, 9> names = {"accepted",
+                                                     "started",
+                                                     "gated",
+                                                     "too few landmarks",
+                                                     "no pose of the body",
+                                                     "no pose of the vehicle",
+                                                     "too old",
+                                                     "duplicate",
+                                                     "invalid"};
+  return names.at(static_cast<std::size_t>(status));
+}
+
+PerceptionResult perceive(PerceptionState& state, const TargetObservation& observation,
+                          const VehicleHistory& vehicle, const PerceptionParams& params) {
+  PerceptionResult result;
+  result.measured.stamp_s = observation.stamp_s;
+  const bool measured = observation.kind == TargetObservation::Kind::kLandmarks
+                            ? measure_landmarks(observation, vehicle, params, result)
+                            : measure_position(observation, result);
+  if (measured && is_valid(result.measured) && std::isfinite(observation.stamp_s))
+    filter(state, params, result);
+  const double newest_s = state.count > 0 ? state.entries[state.count - 1].estimate.stamp_s : 0.0;
+  result.target = coast(state, newest_s, params);
+  return result;
+}
+
+TargetState coast(const PerceptionState& state, double now_s, const PerceptionParams& params) {
+  TargetState target;
+  target.stamp_s = now_s;
+  if (state.count == 0) return target;
+  const TargetEstimate& newest = state.entries[state.count - 1].estimate;
+  const TargetEstimate e = predict_estimate(newest, std::max(now_s, newest.stamp_s), params);
+  target.stamp_s = e.stamp_s;
+  target.status = status_at_age(e.stamp_s - e.accepted_s, params);
+  target.position_enu_m = e.mean.head<3>();
+  target.velocity_enu_m_s = e.mean.tail<3>();
+  target.covariance = e.covariance;
+  target.body_yaw_rad = e.yaw_rad;
+  target.body_yaw_variance_rad2 = e.yaw_variance_rad2;
+  target.last_measurement_s = e.accepted_s;
+  return target;
+}
+
+}  // namespace foretrack
