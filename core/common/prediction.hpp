@@ -29,6 +29,7 @@ struct IntentionBelief {
 
 /// Two sectors on the sides of the velocity (paper §III.B).
 struct ReachableRegion {
+  Vec3 center_enu_m = Vec3::Zero();
   double radius_m = 0.0;
   double heading_rad = 0.0;           // of the velocity
   double left_half_angle_rad = 0.0;   // θ_l in [0, π/4]
