@@ -1,0 +1,74 @@
+#include "core/prediction/motion_cues.hpp"
+
+#include <cmath>
+
+namespace foretrack {
+namespace {
+
+constexpr double kThinning_s = 0.018;
+constexpr double kLongestGap_s = 1.0;
+constexpr double kRecent_s = 1.0;
+constexpr double kSteady_s = 0.25;
+
+void remember(MotionHistory& h, const MotionHistory::Sample& sample) {
+  if (h.count > 0) {
+    const double gap_s = sample.stamp_s - h.back(0).stamp_s;
+    if (gap_s < 0.0 || gap_s > kLongestGap_s)
+      h.count = 0;
+    else if (gap_s < kThinning_s)
+      return;
+  }
+  h.newest = (h.newest + 1) % MotionHistory::kCapacity;
+  h.samples[h.newest] = sample;
+  h.count = std::min(h.count + 1, MotionHistory::kCapacity);
+}
+
+// The youngest sample that is at least this old, or else the oldest.
+const MotionHistory::Sample& sample_before(const MotionHistory& h, double stamp_s, double age_s) {
+  for (int i = 0; i < h.count; ++i)
+    if (stamp_s - h.back(i).stamp_s >= age_s - 1e-6) return h.back(i);
+  return h.back(h.count - 1);
+}
+
+double heading_change(const MotionHistory::Sample& from, const Vec2& to_m_s, double walking_m_s) {
+  if (from.velocity_m_s.norm() < walking_m_s || to_m_s.norm() < walking_m_s) return 0.0;
+  return wrap_angle(yaw_of(to_m_s) - yaw_of(from.velocity_m_s));
+}
+
+double steady_body_turn(const MotionHistory& h, double stamp_s) {
+  double sum = 0.0;
+  int n = 0;
+  for (; n < h.count && stamp_s - h.back(n).stamp_s <= kSteady_s; ++n)
+    sum += h.back(n).body_turn_rad;
+  return n > 0 ? sum / n : 0.0;
+}
+
+}  // namespace
+
+MotionCues observe_motion(MotionHistory& h, const TargetState& target,
+                          const PredictionParams& params) {
+  MotionCues cues;
+  cues.state = {target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()};
+  cues.height_m = target.position_enu_m.z();
+  cues.speed_m_s = target.speed_m_s();
+  cues.walking = cues.speed_m_s >= params.walking_speed_m_s;
+  cues.body_known = std::isfinite(target.body_yaw_rad);
+  const double velocity_yaw = cues.speed_m_s > 0.0 ? yaw_of(cues.state.velocity_m_s) : 0.0;
+  cues.heading_rad = cues.walking || !cues.body_known ? velocity_yaw : target.body_yaw_rad;
+  if (cues.walking && cues.body_known)
+    cues.body_turn_rad = wrap_angle(target.body_yaw_rad - velocity_yaw);  // eq. 3
+
+  remember(h, {target.stamp_s, cues.state.velocity_m_s, cues.body_turn_rad});
+  cues.steady_body_turn_rad = steady_body_turn(h, target.stamp_s);
+  const auto& before = sample_before(h, target.stamp_s, params.speed_fall_interval_s);
+  const Vec2& velocity = cues.state.velocity_m_s;
+  cues.speed_fall_m_s = before.velocity_m_s.norm() - cues.speed_m_s;
+  const double elapsed_s = target.stamp_s - before.stamp_s;
+  if (elapsed_s > 0.5 * params.speed_fall_interval_s)
+    cues.turn_rate_rad_s = heading_change(before, velocity, params.walking_speed_m_s) / elapsed_s;
+  const auto& recent = sample_before(h, target.stamp_s, kRecent_s);
+  cues.recent_turn_rad = heading_change(recent, velocity, params.walking_speed_m_s);
+  return cues;
+}
+
+}  // namespace foretrack

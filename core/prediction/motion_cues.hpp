@@ -1,0 +1,47 @@
+// What the target's track alone says about its intention.
+#pragma once
+
+#include <array>
+
+#include "core/common/target.hpp"
+#include "core/prediction/motion_models.hpp"
+#include "core/prediction/prediction_params.hpp"
+
+namespace foretrack {
+
+/// The last second or so of states, thinned to 50 a second. Owned by the caller of predict().
+struct MotionHistory {
+  struct Sample {
+    double stamp_s = 0.0;
+    Vec2 velocity_m_s = Vec2::Zero();
+    double body_turn_rad = 0.0;  // r_bv
+  };
+  static constexpr int kCapacity = 64;
+  std::array<Sample, kCapacity> samples{};
+  int newest = 0;
+  int count = 0;
+
+  /// i = 0: the newest.
+  const Sample& back(int i) const { return samples[(newest - i + kCapacity) % kCapacity]; }
+};
+
+struct MotionCues {
+  PlanarState state;
+  double height_m = 0.0;  // of the target's position
+  double speed_m_s = 0.0;
+  bool walking = false;      // fast enough for its velocity to have a direction
+  double heading_rad = 0.0;  // of the velocity; of the chest when not walking
+  bool body_known = false;
+  double body_turn_rad = 0.0;         // r_bv (eq. 3), wrapped; 0 when not walking or not known
+  double steady_body_turn_rad = 0.0;  // its mean over the last moments: noise is about 10°
+  double speed_fall_m_s = 0.0;        // ‖V(t − Δt)‖ − ‖V(t)‖
+  double turn_rate_rad_s = 0.0;       // of the velocity, over the same interval
+  double recent_turn_rad = 0.0;       // of the velocity, over the last second
+};
+
+/// Adds the target to the history and reads the cues. A stamp that goes back, or a gap of more than
+/// a second, starts the history anew.
+MotionCues observe_motion(MotionHistory& history, const TargetState& target,
+                          const PredictionParams& params);
+
+}  // namespace foretrack

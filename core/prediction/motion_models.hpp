@@ -1,0 +1,34 @@
+// How a person moves while one intention lasts (paper Tab. I).
+#pragma once
+
+#include "core/common/geometry.hpp"
+
+namespace foretrack {
+
+struct PlanarState {
+  Vec2 position_m = Vec2::Zero();    // world ENU
+  Vec2 velocity_m_s = Vec2::Zero();  // world ENU
+};
+
+struct MotionModel {
+  enum class Kind { kConstantVelocity, kCoordinatedTurn, kDeceleration };
+  Kind kind = Kind::kConstantVelocity;
+  double rate = 0.0;  // rad/s, > 0: to the left; or m/s² > 0 against the motion
+
+  static MotionModel constant_velocity() { return {Kind::kConstantVelocity, 0.0}; }
+  static MotionModel turn(double rate_rad_s) { return {Kind::kCoordinatedTurn, rate_rad_s}; }
+  /// Ends at rest, never backwards.
+  static MotionModel deceleration(double rate_m_s2) { return {Kind::kDeceleration, rate_m_s2}; }
+};
+
+/// The state after dt_s ≥ 0; exact for any duration and for ω → 0. Cost: one sincos for a turn.
+PlanarState advance(const MotionModel& model, const PlanarState& state, double dt_s);
+
+/// Derivatives of advance() by the velocity (that by the position is the identity).
+struct MotionJacobian {
+  Mat2 position_by_velocity;
+  Mat2 velocity_by_velocity;
+};
+MotionJacobian jacobian(const MotionModel& model, const PlanarState& state, double dt_s);
+
+}  // namespace foretrack

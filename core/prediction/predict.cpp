@@ -1,0 +1,33 @@
+#include "core/prediction/predict.hpp"
+
+#include "core/prediction/calibrate.hpp"
+#include "core/prediction/predict_paths.hpp"
+
+namespace foretrack {
+namespace {
+
+bool is_finite(const TargetState& target) {
+  return std::isfinite(target.stamp_s) && target.position_enu_m.allFinite() &&
+         target.velocity_enu_m_s.allFinite() && target.covariance.allFinite();
+}
+
+}  // namespace
+
+const PredictionResult& predict(PredictionState& state, const TargetState& target,
+                                const GridMap& map, const PredictionParams& params) {
+  PredictionResult& result = state.result;
+  result.intention = {};
+  result.intention.stamp_s = target.stamp_s;
+  if (!target.usable() || !is_finite(target)) {
+    clear_prediction(state, target.stamp_s, PredictionStatus::kNoTarget);
+    return result;
+  }
+  const MotionCues motion = observe_motion(state.history, target, params);
+  const Surroundings surroundings = observe_surroundings(map, motion, params);  // §III.B
+  assess_intention(motion, surroundings, params, result.intention);             // §III.C
+  calibrate(motion, surroundings, result.intention);
+  predict_paths(state, target, motion, map, params);  // §IV
+  return result;
+}
+
+}  // namespace foretrack

@@ -1,0 +1,142 @@
+#include "core/prediction/predict_paths.hpp"
+
+#include <algorithm>
+
+namespace foretrack {
+namespace {
+
+using Mat4 = Eigen::Matrix4d;
+
+// Covariance of the horizontal (position, velocity).
+Mat4 planar_covariance(const TargetState& target) {
+  Mat4 c;
+  c.topLeftCorner<2, 2>() = target.covariance.topLeftCorner<2, 2>();
+  c.topRightCorner<2, 2>() = target.covariance.block<2, 2>(0, 3);
+  c.bottomLeftCorner<2, 2>() = target.covariance.block<2, 2>(3, 0);
+  c.bottomRightCorner<2, 2>() = target.covariance.block<2, 2>(3, 3);
+  return c;
+}
+
+// One step of a covariance through a motion model, with white acceleration of density q.
+Mat4 grown(const Mat4& covariance, const MotionJacobian& j, double dt_s, double q) {
+  Mat4 f = Mat4::Identity();
+  f.topRightCorner<2, 2>() = j.position_by_velocity;
+  f.bottomRightCorner<2, 2>() = j.velocity_by_velocity;
+  Mat4 noise;
+  noise << Mat2::Identity() * (q * dt_s * dt_s * dt_s / 3.0),
+      Mat2::Identity() * (q * dt_s * dt_s / 2.0), Mat2::Identity() * (q * dt_s * dt_s / 2.0),
+      Mat2::Identity() * (q * dt_s);
+  return f * covariance * f.transpose() + noise;
+}
+
+PredictedPath& start_path(PredictionState& state, Intention intention) {
+  auto& paths = state.result.prediction.paths;
+  PredictedPath& path = paths.emplace_back();
+  path.intention = intention;
+  path.probability = state.result.intention[intention].probability;
+  path.states.swap(state.spare_paths.back());
+  state.spare_paths.pop_back();
+  path.states.clear();
+  return path;
+}
+
+// Walks along the primitives and notes each end with its covariance.
+class PathWriter {
+ public:
+  PathWriter(PredictedPath& path, const TargetState& target, const PredictionParams& params)
+      : path_(path),
+        params_(params),
+        height_m_(target.position_enu_m.z()),
+        x_{target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()},
+        covariance_(planar_covariance(target)) {}
+
+  void add(const MotionModel& model) {
+    const double dt_s = params_.step_s;
+    covariance_ =
+        grown(covariance_, jacobian(model, x_, dt_s), dt_s, params_.noise_m2_s3(path_.intention));
+    x_ = advance(model, x_, dt_s);
+    PredictedState& z = path_.states.emplace_back();
+    z.time_s = static_cast<double>(path_.states.size()) * dt_s;
+    z.position_enu_m << x_.position_m, height_m_;
+    z.velocity_enu_m_s << x_.velocity_m_s, 0.0;
+    z.covariance_m2 = covariance_.topLeftCorner<2, 2>();
+  }
+
+ private:
+  PredictedPath& path_;
+  const PredictionParams& params_;
+  double height_m_;
+  PlanarState x_;
+  Mat4 covariance_;
+};
+
+void add_blocked_path(PredictionState& state, const TargetState& target,
+                      const PredictionParams& params) {
+  PredictedPath& path = start_path(state, Intention::kForward);
+  path.probability = 1.0;
+  state.result.prediction.status = PredictionStatus::kTargetBlocked;
+  PathWriter writer(path, target, params);
+  const auto model = MotionModel::deceleration(params.deceleration_m_s2);
+  for (int k = 0; k < params.step_count(); ++k) writer.add(model);
+}
+
+bool is_turn(Intention i) {
+  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
+}
+
+SearchStatus add_searched_path(PredictionState& state, const TargetState& target,
+                               const SearchRequest& request, const GridMap& map,
+                               const PredictionParams& params) {
+  const SearchOutcome outcome = search_path(request, map, params, state.search);
+  state.result.prediction.expansions += outcome.expansions;
+  if (outcome.status != SearchStatus::kFound) return outcome.status;
+  PathWriter writer(start_path(state, request.root), target, params);
+  for (const std::int32_t i : state.search.path) {
+    const Intention driven_by = state.search.nodes[i].intention;
+    writer.add(intention_table()[index_of(driven_by)].motion_model(params));
+  }
+  return outcome.status;
+}
+
+void normalise_and_sort(std::vector<PredictedPath>& paths) {
+  double sum = 0.0;
+  for (const auto& path : paths) sum += path.probability;
+  for (auto& path : paths) path.probability /= sum;
+  std::sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) {
+    if (a.probability != b.probability) return a.probability > b.probability;
+    return a.intention < b.intention;
+  });
+}
+
+}  // namespace
+
+void clear_prediction(PredictionState& state, double stamp_s, PredictionStatus status) {
+  Prediction& prediction = state.result.prediction;
+  prediction.stamp_s = stamp_s;
+  prediction.status = status;
+  prediction.expansions = 0;
+  auto& paths = prediction.paths;
+  state.spare_paths.reserve(kIntentionCount);
+  paths.reserve(kIntentionCount);
+  for (auto& path : paths) state.spare_paths.push_back(std::move(path.states));
+  paths.clear();
+  state.spare_paths.resize(kIntentionCount);
+}
+
+void predict_paths(PredictionState& state, const TargetState& target, const MotionCues& motion,
+                   const GridMap& map, const PredictionParams& params) {
+  clear_prediction(state, target.stamp_s, PredictionStatus::kOk);
+  Prediction& prediction = state.result.prediction;
+  if (map.is_occupied(target.position_enu_m)) return add_blocked_path(state, target, params);
+  for (const auto& row : intention_table()) {
+    if (is_turn(row.intention) && !motion.walking) continue;  // who stands has no path to bend
+    const SearchRequest request{motion.state, motion.height_m, motion.recent_turn_rad,
+                                row.intention};
+    if (add_searched_path(state, target, request, map, params) == SearchStatus::kExhausted)
+      prediction.status = PredictionStatus::kSearchExhausted;
+  }
+  if (prediction.paths.empty()) add_blocked_path(state, target, params);
+  normalise_and_sort(prediction.paths);
+}
+
+}  // namespace foretrack
