@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "core/planning/flight_limits.hpp"
+#include "core/planning/minco.hpp"
 
 namespace foretrack {
 
-/// Most pieces that one problem may have; all of a workspace is allocated for that many at once.
-inline constexpr int kMaxPieces = 40;
 /// Trajectory pieces a polytope (paper: K).
 inline constexpr int kPiecesPerPolytope = 2;
 
