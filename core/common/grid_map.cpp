@@ -1,6 +1,8 @@
 #include "core/common/grid_map.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace foretrack {
@@ -33,84 +35,113 @@ double traverse(const GridMap& map, const Vec3& from, const Vec3& direction, dou
   return length_m;
 }
 
-constexpr std::uint16_t kFar = 60;  // cells; beyond the saturation at any useful resolution
+// Distances are kept as squares of half cells: from a cell's centre to the near face of a cell d
+// away along an axis it is 2·d − 1 half cells, and the squares of the three axes add up.
+constexpr double kSaturation_m = 2.55;
 
-// Distance along x to the nearest source in each row, in cells.
-void sweep_rows(const GridMap& map, std::uint8_t highest_free, std::vector<std::uint16_t>& out) {
+std::int16_t gap_squared(int cells) {
+  return static_cast<std::int16_t>(cells == 0 ? 0 : (2 * cells - 1) * (2 * cells - 1));
+}
+
+struct Reach {
+  int cells;         // away, at which a distance is saturated along one axis
+  std::int16_t far;  // the squared distance that stands for all beyond
+};
+Reach reach_of(double resolution_m) {
+  // Coarse enough for 16 bits; a finer map saturates at 60 cells.
+  const int cells = std::min(60, static_cast<int>(std::ceil(kSaturation_m / resolution_m + 0.5)));
+  return {cells, gap_squared(cells)};
+}
+
+// Squared distances along x.
+void sweep_rows(const GridMap& map, bool unknown_too, const Reach& reach,
+                std::vector<std::int16_t>& out) {
   const int nx = map.size.x();
-  const std::size_t rows = map.cell_count() / static_cast<std::size_t>(nx);
-  for (std::size_t r = 0; r < rows; ++r) {
+  std::array<std::int16_t, 64> squares;
+  for (int d = 0; d <= reach.cells; ++d) squares[d] = gap_squared(d);
+  const std::size_t row_count = map.cell_count() / static_cast<std::size_t>(nx);
+  for (std::size_t r = 0; r < row_count; ++r) {
     const std::uint8_t* in = map.cells.data() + r * nx;
-    std::uint16_t* d = out.data() + r * nx;
+    std::int16_t* d = out.data() + r * nx;
     const auto is_source = [&](int x) {
-      return highest_free == 0 ? in[x] != 0 : in[x] == static_cast<std::uint8_t>(Cell::kOccupied);
+      return unknown_too ? in[x] != 0 : in[x] == static_cast<std::uint8_t>(Cell::kOccupied);
     };
-    std::uint16_t run = kFar;
+    int run = reach.cells;
     for (int x = 0; x < nx; ++x) {
-      run = is_source(x) ? 0 : static_cast<std::uint16_t>(std::min<int>(run + 1, kFar));
-      d[x] = run;
+      run = is_source(x) ? 0 : std::min(run + 1, reach.cells);
+      d[x] = static_cast<std::int16_t>(run);
     }
-    run = kFar;
     for (int x = nx - 1; x >= 0; --x) {
-      run = d[x] == 0 ? 0 : static_cast<std::uint16_t>(std::min<int>(run + 1, kFar));
-      d[x] = std::min(d[x], run);
+      run = std::min<int>(d[x], std::min(run + 1, reach.cells));
+      d[x] = squares[run];
     }
-    for (int x = 0; x < nx; ++x) d[x] = static_cast<std::uint16_t>(d[x] * d[x]);
   }
 }
 
-// Squared distances along one more axis: min over o within `reach` cells of in[i + o·stride] + o².
-// Row by row of x, so that the inner loop is a vector of minima.
-void spread(const std::vector<std::uint16_t>& in, std::vector<std::uint16_t>& out,
-            const GridMap& map, int axis, int reach) {
+// Lowers a row to what the rows on both sides, `add` away, allow; returns its greatest value.
+std::int16_t lower(std::int16_t* row, const std::int16_t* before, const std::int16_t* after,
+                   std::int16_t add, int count) {
+  std::int16_t greatest = 0;
+  for (int x = 0; x < count; ++x) {
+    const auto beside = static_cast<std::int16_t>(std::min(before[x], after[x]) + add);
+    row[x] = std::min(row[x], beside);
+    greatest = std::max(greatest, row[x]);
+  }
+  return greatest;
+}
+
+// Squared distances along one more axis: min over o of in[i + o·stride] + gap(o)², row by row of x,
+// outwards until no farther row can lower anything.
+void spread(const std::vector<std::int16_t>& in, std::vector<std::int16_t>& out, const GridMap& map,
+            int axis, const Reach& reach) {
   const int nx = map.size.x(), ny = map.size.y(), nz = map.size.z();
   const int count = axis == 1 ? ny : nz;
-  const std::size_t stride = axis == 1 ? nx : static_cast<std::size_t>(nx) * ny;
+  const std::ptrdiff_t stride = axis == 1 ? nx : static_cast<std::ptrdiff_t>(nx) * ny;
   for (int z = 0; z < nz; ++z)
     for (int y = 0; y < ny; ++y) {
-      const std::size_t row = (static_cast<std::size_t>(z) * ny + y) * nx;
+      const std::ptrdiff_t row = (static_cast<std::ptrdiff_t>(z) * ny + y) * nx;
       const int here = axis == 1 ? y : z;
-      std::copy_n(in.begin() + row, nx, out.begin() + row);
-      const int low = std::max(-reach, -here), high = std::min(reach, count - 1 - here);
-      for (int o = low; o <= high; ++o) {
-        if (o == 0) continue;
-        const std::uint16_t* src = in.data() + row + static_cast<std::ptrdiff_t>(o) * stride;
-        std::uint16_t* dst = out.data() + row;
-        const auto add = static_cast<std::uint16_t>(o * o);
-        for (int x = 0; x < nx; ++x)
-          dst[x] = std::min<std::uint16_t>(dst[x], static_cast<std::uint16_t>(src[x] + add));
+      const std::int16_t* source = in.data() + row;
+      std::int16_t* target = out.data() + row;
+      std::copy_n(source, nx, target);
+      std::int16_t greatest = reach.far;
+      for (int o = 1; o < reach.cells && gap_squared(o) < greatest; ++o) {
+        if (here < o && here + o >= count) break;
+        // At a side of the grid the other neighbour stands for both.
+        const std::int16_t* before = source + (here >= o ? -o : o) * stride;
+        const std::int16_t* after = source + (here + o < count ? o : -o) * stride;
+        greatest = lower(target, before, after, gap_squared(o), nx);
       }
     }
 }
 
-void transform(const GridMap& map, std::uint8_t highest_free, DistanceWorkspace& w,
+void transform(const GridMap& map, bool unknown_too, DistanceWorkspace& w,
                std::vector<std::uint8_t>& out_cm) {
-  const int reach = std::min<int>(kFar - 1, static_cast<int>(2.55 / map.resolution_m) + 1);
+  const Reach reach = reach_of(map.resolution_m);
   w.a.resize(map.cell_count());
   w.b.resize(map.cell_count());
   out_cm.resize(map.cell_count());
-  sweep_rows(map, highest_free, w.a);
+  sweep_rows(map, unknown_too, reach, w.a);
   spread(w.a, w.b, map, 1, reach);
   spread(w.b, w.a, map, 2, reach);
-  std::uint8_t centimetres[4 * kFar * kFar];
-  for (int d2 = 0; d2 < 4 * kFar * kFar; ++d2) {
-    const double d_m =
-        d2 == 0 ? 0.0 : (std::sqrt(static_cast<double>(d2)) - 0.5) * map.resolution_m;
-    centimetres[d2] = static_cast<std::uint8_t>(std::min(255.0, std::floor(100.0 * d_m)));
+  w.centimetres.resize(reach.far + 1);
+  for (int d2 = 0; d2 <= reach.far; ++d2) {
+    const double cm = std::floor(50.0 * map.resolution_m * std::sqrt(static_cast<double>(d2)));
+    w.centimetres[d2] = static_cast<std::uint8_t>(std::min(255.0, cm));
   }
-  for (std::size_t i = 0; i < out_cm.size(); ++i) out_cm[i] = centimetres[w.a[i]];
+  for (std::size_t i = 0; i < out_cm.size(); ++i) out_cm[i] = w.centimetres[w.a[i]];
 }
 
 }  // namespace
 
 void update_distances(GridMap& map, DistanceWorkspace& workspace) {
   if (map.empty()) return;
-  transform(map, 1, workspace, map.occupied_distance_cm);
+  transform(map, false, workspace, map.occupied_distance_cm);
   const auto unknown = static_cast<std::uint8_t>(Cell::kUnknown);
   if (std::find(map.cells.begin(), map.cells.end(), unknown) == map.cells.end())
     map.unfree_distance_cm = map.occupied_distance_cm;
   else
-    transform(map, 0, workspace, map.unfree_distance_cm);
+    transform(map, true, workspace, map.unfree_distance_cm);
 }
 
 bool line_of_sight(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m) {
