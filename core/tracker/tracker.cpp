@@ -5,7 +5,7 @@ namespace {
 
 const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
   if (input.known_map) return input.known_map;
-  return state.mapping.local.empty() ? nullptr : &state.mapping.local;
+  return state.mapping.map.empty() ? nullptr : &state.mapping.map;
 }
 
 }  // namespace
