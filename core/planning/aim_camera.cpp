@@ -1,0 +1,80 @@
+#include "core/planning/aim_camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foretrack {
+namespace {
+
+constexpr double kNear_m = 0.2;  // nearer than this, a bearing means nothing
+
+Vec3 position_at(const ExpectedPath& path, double t_s, double step_s) {
+  const auto last = path.positions_enu_m.size() - 1;
+  const double steps = std::max(t_s / step_s - 1.0, 0.0);
+  const auto k = std::min(static_cast<std::size_t>(steps), last);
+  if (k == last) return path.positions_enu_m[last];
+  const double part = steps - static_cast<double>(k);
+  return (1.0 - part) * path.positions_enu_m[k] + part * path.positions_enu_m[k + 1];
+}
+
+// Sum of unit vectors towards the target, weighted by probability: x, y in the plane, z up.
+Vec3 mean_direction(const Vec3& from, const ExpectedTarget& expected, double t_s, double step_s) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < expected.count; ++i) {
+    const Vec3 offset = position_at(expected.paths[i], t_s, step_s) - from;
+    const double distance_m = offset.head<2>().norm();
+    if (distance_m > kNear_m) sum += expected.paths[i].probability / distance_m * offset;
+  }
+  return sum;
+}
+
+AngleLimits yaw_limits(const PlanningParams& p) {
+  return {p.limits.yaw_rate_max_rad_s, p.limits.yaw_acceleration_max_rad_s2,
+          0.5 * p.view.fov_horizontal_rad - p.view.fov_margin_rad, p.view.yaw_effort};
+}
+AngleLimits gimbal_limits(const PlanningParams& p) {
+  return {p.view.gimbal_rate_max_rad_s, p.view.gimbal_acceleration_max_rad_s2, kPi,
+          p.view.yaw_effort};
+}
+
+void plan_angles(const PlanStart& start, const PlanningParams& params, AimWorkspace& w,
+                 PlannedTrajectory& trajectory) {
+  plan_angle(start.yaw, w.yaws_rad, yaw_limits(params), w.angles, trajectory.yaw);
+  trajectory.gimbal_pitch.nodes.clear();
+  if (params.view.gimbal)
+    plan_angle(start.gimbal_pitch, w.pitches_rad, gimbal_limits(params), w.angles,
+               trajectory.gimbal_pitch);
+}
+
+}  // namespace
+
+void aim_camera(const PlanStart& start, const ExpectedTarget& expected,
+                const PlanningParams& params, AimWorkspace& w, PlannedTrajectory& trajectory) {
+  w.yaws_rad.clear();
+  w.pitches_rad.clear();
+  const double dt_s = trajectory.yaw.dt_s;
+  const int nodes = static_cast<int>(std::ceil(trajectory.duration_s() / dt_s));
+  double yaw_rad = start.yaw.angle_rad, pitch_rad = start.gimbal_pitch.angle_rad;
+  for (int i = 1; i <= nodes; ++i) {
+    const double t_s = i * dt_s;
+    const Vec3 direction =
+        mean_direction(trajectory.position(t_s), expected, t_s, params.horizon.step_s);
+    const double along = direction.head<2>().norm();
+    if (along > 0.1) {
+      yaw_rad = yaw_of(Vec2(direction.head<2>()));
+      pitch_rad = std::atan2(direction.z(), along);
+    }
+    w.yaws_rad.push_back(yaw_rad);
+    w.pitches_rad.push_back(pitch_rad);
+  }
+  plan_angles(start, params, w, trajectory);
+}
+
+void hold_camera(const PlanStart& start, const PlanningParams& params, AimWorkspace& w,
+                 PlannedTrajectory& trajectory) {
+  w.yaws_rad.clear();
+  w.pitches_rad.clear();
+  plan_angles(start, params, w, trajectory);
+}
+
+}  // namespace foretrack

@@ -1,0 +1,22 @@
+// The optimisation problem of one plan: corridor, first guess, boundary states.
+#pragma once
+
+#include "core/planning/corridor.hpp"
+#include "core/planning/look_ahead.hpp"
+#include "core/planning/optimize_trajectory.hpp"
+#include "core/planning/plan_start.hpp"
+
+namespace foretrack {
+
+/// Decomposes free space around every segment of the path (paper: F). False if a segment touches
+/// what the vehicle may not enter, other than a start that is blocked already.
+bool build_corridor(const SearchContext& context, const FlightPath& path,
+                    CorridorWorkspace& workspace, std::vector<Polytope>& corridor);
+
+/// First guess (waypoints at the path's vertices and in the middle of its segments) and boundary
+/// states: the plan ends at the path's end with the target's velocity there, as far as there is room
+/// to stop. Leaves corridor and samples as they are.
+void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,
+                      const ExpectedPath& target, OptimizationProblem& problem);
+
+}  // namespace foretrack

@@ -1,0 +1,228 @@
+#include "core/planning/plan.hpp"
+
+#include <algorithm>
+
+#include "core/planning/assemble_problem.hpp"
+#include "core/planning/fall_back.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kSlowdown = 1.4;        // of the first guess's times in the second attempt
+constexpr double kFirmCorridor = 10.0;   // of the corridor's weight in the second attempt
+constexpr double kStands_m_s = 0.02;
+
+bool is_finite(const PlanInput& in) {
+  return std::isfinite(in.now_s) && in.vehicle.position_enu_m.allFinite() &&
+         in.vehicle.velocity_enu_m_s.allFinite() && in.vehicle.q_world_body.coeffs().allFinite() &&
+         in.vehicle.angular_velocity_body_rad_s.allFinite();
+}
+
+bool is_finite(const TargetState& target) {
+  return target.position_enu_m.allFinite() && target.velocity_enu_m_s.allFinite() &&
+         std::isfinite(target.stamp_s);
+}
+
+// One replan: the paper's steps, then the check and what happens if it fails.
+class Replan {
+ public:
+  Replan(PlanningState& state, const PlanInput& in, const PlanningParams& params)
+      : s_(state), in_(in), params_(params), clock_(state.clock_s) {
+    next().diagnostics = {};
+  }
+
+  const PlanResult& run() {
+    if (!is_finite(in_) || in_.map == nullptr || in_.map->empty()) return refuse();
+    if (in_.now_s - in_.vehicle.stamp_s > params_.horizon.vehicle_stale_s) return refuse();
+    start_ = choose_start(flown().trajectory, in_.vehicle, in_.now_s, params_);
+    const PlanReason reason = follow();
+    return reason == PlanReason::kOk ? publish() : fall_back(reason);
+  }
+
+ private:
+  PlanResult& flown() { return s_.results[s_.flown]; }
+  PlanResult& next() { return s_.results[1 - s_.flown]; }
+
+  // The paper's §V. kOk: next() passed the check.
+  PlanReason follow() {
+    if (const PlanReason reason = believe(); reason != PlanReason::kOk) return reason;
+    align(s_.belief, start_.time_s, params_.horizon, s_.expected);
+    const Vec3& z_1 = s_.expected.paths[0].positions_enu_m.front();
+    const FlightSurface surface =
+        choose_flight_surface(*in_.map, start_.state.position, z_1, params_);
+    const SearchContext context{*in_.map, surface, params_, wanted_distance_m()};
+    look_ahead(context, start_.state.position, start_.state.velocity, s_.expected, in_.intention,
+               clock_, s_.ahead);
+    make_flight_path(context, s_.ahead.way, start_.state.velocity.norm(), s_.path_workspace,
+                     s_.path);
+    clock_.lap(PlanStage::kPath);
+    const bool clear = build_corridor(context, s_.path, s_.corridor, s_.problem.corridor);
+    guess_trajectory(context, s_.path, start_, s_.expected.paths[0], s_.problem);
+    std::swap(s_.problem.samples, s_.ahead.samples);
+    clock_.lap(PlanStage::kCorridor);
+    if (!clear) return PlanReason::kEmptyCorridor;
+    PlanReason reason = attempt(params_.optimizer);
+    if (reason == PlanReason::kOk) return reason;
+    be_careful();
+    OptimizerParams careful = params_.optimizer;
+    careful.corridor_weight *= kFirmCorridor;
+    return attempt(careful) == PlanReason::kOk ? PlanReason::kOk : reason;
+  }
+
+  // Takes in the prediction, or remembers the last one while a lost target is searched for.
+  PlanReason believe() {
+    if (in_.target.usable() && is_finite(in_.target)) {
+      update_belief(s_.belief, in_.target, in_.prediction, params_.horizon);
+      s_.seen_before = true;
+      s_.lost_since_s = -1.0;
+      return PlanReason::kOk;
+    }
+    if (!s_.seen_before) return PlanReason::kNoTarget;
+    if (s_.lost_since_s < 0.0) s_.lost_since_s = in_.now_s;
+    return searching() ? PlanReason::kOk : PlanReason::kTargetLost;
+  }
+  bool lost() const { return s_.lost_since_s >= 0.0; }
+  bool searching() const { return in_.now_s - s_.lost_since_s < params_.horizon.search_s; }
+
+  // d*: the middle of the band, further if a deceleration is likely.
+  double wanted_distance_m() const {
+    const double low_m =
+        in_.intention != nullptr && params_.horizon.intention_margins
+            ? params_.place.distance_low_m + params_.place.distance_extra_m *
+                                                 (*in_.intention)[Intention::kDecelerate].score
+            : params_.place.distance_low_m;
+    return std::max(params_.distance_wanted_m(),
+                    std::min(low_m + params_.place.ring_tolerance_m,
+                             params_.place.distance_high_m - params_.place.ring_tolerance_m));
+  }
+
+  PlanReason attempt(const OptimizerParams& optimizer) {
+    PlanDiagnostics& d = next().diagnostics;
+    ++d.attempts;
+    const OptimizationResult& optimum = optimize_trajectory(s_.optimizer, s_.problem, optimizer);
+    d.iterations += optimum.iterations;
+    d.evaluations += optimum.evaluations;
+    d.cost = optimum.cost;
+    clock_.lap(PlanStage::kOptimization);
+    if (optimum.status == OptimizationStatus::kNotFinite) return PlanReason::kNotConverged;
+    PlannedTrajectory& trajectory = next().trajectory;
+    trajectory.pieces.assign(optimum.pieces.begin(), optimum.pieces.end());
+    append_tail(trajectory);
+    aim_camera(start_, s_.expected, params_, s_.aim, trajectory);
+    const PlanReason reason = check(trajectory);
+    clock_.lap(PlanStage::kCheck);
+    return reason;
+  }
+
+  void append_tail(PlannedTrajectory& trajectory) {
+    trajectory.tail_start_s = trajectory.duration_s();
+    const QuinticPiece& last = trajectory.pieces.back();
+    const double end_s = last.duration_s;
+    const BoundaryState end{last.position(end_s), last.velocity(end_s), last.acceleration(end_s)};
+    trajectory.pieces.push_back(make_stop_tail(end, params_.limits).piece);
+  }
+
+  PlanReason check(const PlannedTrajectory& trajectory) {
+    CheckInputs inputs{*in_.map, start_.state, start_.yaw};
+    if (!lost() && s_.belief.count > 0) inputs.target_path = &s_.belief.paths[0];
+    inputs.target_stamp_s = s_.belief.stamp_s - start_.time_s;
+    CheckResult& result = next().diagnostics.check;
+    result = check_trajectory(trajectory, inputs, params_.limits, params_.check);
+    return result.reason;
+  }
+
+  // For the second attempt: the likeliest path only, slower, ending at rest.
+  void be_careful() {
+    for (double& duration_s : s_.problem.durations_s) duration_s *= kSlowdown;
+    s_.problem.goal.velocity.setZero();
+    s_.problem.start = start_.state;
+  }
+
+  const PlanResult& publish() {
+    PlannedTrajectory& t = next().trajectory;
+    t.id = ++s_.last_id;
+    t.stamp_s = lost() ? s_.belief.stamp_s : in_.target.stamp_s;
+    t.start_s = start_.time_s;
+    t.status = lost() ? PlanStatus::kSearch : PlanStatus::kFresh;
+    t.reason = lost() ? PlanReason::kTargetLost : PlanReason::kOk;
+    fill_views(t);
+    count_work(next().diagnostics);
+    s_.flown = 1 - s_.flown;
+    return flown();
+  }
+
+  void fill_views(PlannedTrajectory& t) {
+    resize_polytopes(s_.corridor, t.corridor, s_.problem.corridor.size());
+    for (std::size_t i = 0; i < t.corridor.size(); ++i)
+      t.corridor[i].planes.assign(s_.problem.corridor[i].planes.begin(),
+                                  s_.problem.corridor[i].planes.end());
+    t.visible_regions.clear();
+    const auto& views = s_.ahead.views[0];
+    for (std::size_t k = 0; k < views.size(); ++k) {
+      if (!views[k].seen) continue;
+      VisibleRegion region;
+      region.time_s = params_.horizon.step_s * static_cast<double>(k + 1);
+      region.target_enu_m = s_.expected.paths[0].positions_enu_m[k];
+      region.bisector_rad = views[k].shrunk.bisector_rad;
+      region.half_angle_rad = views[k].shrunk.half_angle_rad;
+      region.waypoint_enu_m = s_.ahead.way.points[s_.ahead.way.arrival[k]];
+      t.visible_regions.push_back(region);
+    }
+  }
+
+  void count_work(PlanDiagnostics& d) const {
+    d.expansions = s_.ahead.search.expansions;
+    d.samples = static_cast<int>(s_.problem.samples.size());
+    d.polytopes = static_cast<int>(s_.problem.corridor.size());
+    d.planes = 0;
+    for (const Polytope& polytope : s_.problem.corridor)
+      d.planes += static_cast<int>(polytope.planes.size());
+    d.stage_ms = clock_.stage_ms();
+  }
+
+  // Inputs that nothing can be decided by: what is flown flies on unchecked.
+  const PlanResult& refuse() {
+    PlanResult& result = flown();
+    result.diagnostics = {};
+    if (!result.trajectory.pieces.empty()) result.trajectory.status = PlanStatus::kKept;
+    result.trajectory.reason = PlanReason::kStaleInput;
+    return result;
+  }
+
+  const PlanResult& fall_back(PlanReason reason) {
+    PlannedTrajectory& t = flown().trajectory;
+    if (start_.on_flown && rest_is_clear(*in_.map, t, start_.time_s - t.start_s,
+                                         params_.check.vehicle_radius_m)) {
+      const bool stands = t.velocity(start_.time_s - t.start_s).norm() < kStands_m_s &&
+                          start_.time_s - t.start_s > t.tail_start_s;
+      t.status = stands ? PlanStatus::kHold : PlanStatus::kKept;
+      t.reason = reason;
+      flown().diagnostics = next().diagnostics;
+      count_work(flown().diagnostics);
+      return flown();
+    }
+    make_stop(start_, params_, s_.aim, next().trajectory);
+    check(next().trajectory);
+    clock_.lap(PlanStage::kCheck);
+    s_.ahead.views[0].clear();
+    const PlanResult& result = publish();
+    flown().trajectory.status = PlanStatus::kHold;
+    flown().trajectory.reason = reason;
+    return result;
+  }
+
+  PlanningState& s_;
+  const PlanInput& in_;
+  const PlanningParams& params_;
+  StageClock clock_;
+  PlanStart start_;
+};
+
+}  // namespace
+
+const PlanResult& plan(PlanningState& state, const PlanInput& input,
+                       const PlanningParams& params) {
+  return Replan(state, input, params).run();
+}
+
+}  // namespace foretrack

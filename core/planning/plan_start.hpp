@@ -1,0 +1,23 @@
+// The state from which a plan starts.
+#pragma once
+
+#include "core/common/vehicle.hpp"
+#include "core/planning/plan_params.hpp"
+
+namespace foretrack {
+
+struct PlanStart {
+  double time_s = 0.0;    // absolute; the trajectory's t = 0
+  BoundaryState state;
+  AngleNode yaw;
+  AngleNode gimbal_pitch;
+  bool on_flown = false;  // joins the flown trajectory
+};
+
+/// The flown trajectory's state replan_lead_s ahead of now; without one, or when the vehicle is
+/// further than restart_distance_m from it, the measured state carried on to that time, its speeds
+/// brought within the limits.
+PlanStart choose_start(const PlannedTrajectory& flown, const VehicleState& vehicle, double now_s,
+                       const PlanningParams& params);
+
+}  // namespace foretrack

@@ -1,0 +1,43 @@
+// Where the target is expected to be, on the clock of a new trajectory.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/common/prediction.hpp"
+#include "core/common/target.hpp"
+#include "core/planning/plan_params.hpp"
+
+namespace foretrack {
+
+/// The last prediction, kept for the time after the target is lost. Owned by the caller and reused.
+struct TargetBelief {
+  double stamp_s = 0.0;
+  std::array<PredictedPath, kIntentionCount> paths;  // the first `count`, most probable first
+  int count = 0;
+};
+
+/// Keeps the prediction; without a usable one, a constant-velocity path of the target.
+void update_belief(TargetBelief& belief, const TargetState& target, const Prediction* prediction,
+                   const HorizonParams& params);
+
+/// z_k at t_k = Δ … T_p after a trajectory's start, of one intention.
+struct ExpectedPath {
+  double probability = 0.0;
+  std::vector<Vec3> positions_enu_m;
+  std::vector<Vec3> velocities_enu_m_s;
+};
+
+/// The paths to plan for; probabilities sum to 1.
+struct ExpectedTarget {
+  std::array<ExpectedPath, kIntentionCount> paths;  // the first `count`, most probable first
+  int count = 0;
+};
+
+/// Moves the believed paths to start_s by interpolation. After its end a path goes on with its last
+/// velocity for a short time and then stands still. Paths below the least probability are left out,
+/// or all but the first without hedging.
+void align(const TargetBelief& belief, double start_s, const HorizonParams& params,
+           ExpectedTarget& expected);
+
+}  // namespace foretrack
