@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kGoalSpeedShare = 0.8;    // of the greatest speed
-constexpr double kBrakingShare = 0.5;      // of the greatest acceleration, for the room to stop
+constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
+constexpr double kBrakingShare = 0.5;    // of the greatest acceleration, for the room to stop
 constexpr std::array<double, 3> kGoalSpeeds = {1.0, 0.6, 0.3};  // parts of the target's speed tried
 
 // The target's velocity at the horizon, as much of it as leaves room to stop after the goal.
@@ -41,8 +41,8 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
       context.map.unfree_distance_m(path.vertices.front()) < params.vehicle_radius_m;
   bool clear = true;
   for (std::size_t i = 0; i < corridor.size(); ++i) {
-    const bool segment_clear = decompose_segment(context.map, path.vertices[i], path.vertices[i + 1],
-                                                 params, workspace, corridor[i]);
+    const bool segment_clear = decompose_segment(
+        context.map, path.vertices[i], path.vertices[i + 1], params, workspace, corridor[i]);
     clear &= segment_clear || (i == 0 && start_blocked);
   }
   return clear;
@@ -66,8 +66,8 @@ void guess_trajectory(const SearchContext& context, const FlightPath& path, cons
       problem.durations_s.push_back((path.times_s[i + 1] - path.times_s[i]) / kPiecesPerPolytope);
     }
   }
-  problem.min_total_duration_s = context.params.horizon.step_s *
-                                 static_cast<double>(target.positions_enu_m.size());
+  problem.min_total_duration_s =
+      context.params.horizon.step_s * static_cast<double>(target.positions_enu_m.size());
   problem.height_above_target_m = context.surface.level_z_m - target.positions_enu_m.front().z();
   problem.limits = context.params.limits;
 }

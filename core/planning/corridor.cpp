@@ -62,7 +62,8 @@ CellRange add_bounds(const GridMap& map, const Segment& segment, const CorridorP
       polytope.planes.emplace_back(-(a == 0), -(a == 1), -(a == 2), -bound);
     }
   }
-  return {map.index_of(low).cwiseMax(0), map.index_of(high).cwiseMin(map.size - Eigen::Vector3i::Ones())};
+  return {map.index_of(low).cwiseMax(0),
+          map.index_of(high).cwiseMin(map.size - Eigen::Vector3i::Ones())};
 }
 
 // Cells that the vehicle's centre may not enter and that have a neighbour which it may.
@@ -95,24 +96,24 @@ void collect_blocked(const GridMap& map, const CellRange& range, const Segment& 
     }
 }
 
-// The half-space between the segment and the cell's nearest point. False if they touch.
-bool separate(const Segment& segment, const CorridorWorkspace::Blocked& cell,
-              Eigen::Vector4d& plane) {
-  const Vec3 q = segment.closest_to(cell.nearest);
-  Vec3 normal = cell.nearest - q;
-  double distance_m = normal.norm();
-  const bool apart = distance_m > kTouch_m;
-  if (!apart) {
-    normal = cell.center - segment.closest_to(cell.center);
-    distance_m = normal.norm();
-    if (distance_m < 1e-9) return false;
-  }
-  normal /= distance_m;
-  // Along the segment, the touching case leaves the whole segment inside.
+struct Separation {
+  bool apart = false;  // there is a plane between the segment and the cell
+  Eigen::Vector4d plane = Eigen::Vector4d::Zero();  // zero: the segment runs through the centre
+};
+
+// The half-space that ends at the cell's nearest point; at the segment if the cell touches it.
+Separation separate(const Segment& segment, const CorridorWorkspace::Blocked& cell) {
+  Separation result;
+  Vec3 normal = cell.nearest - segment.closest_to(cell.nearest);
+  result.apart = normal.norm() > kTouch_m;
+  if (!result.apart) normal = cell.center - segment.closest_to(cell.center);
+  const double length_m = normal.norm();
+  if (length_m < 1e-9) return result;
+  normal /= length_m;
   const double highest = std::max(normal.dot(segment.origin), normal.dot(segment.end()));
-  const double offset = apart ? normal.dot(cell.nearest) : highest + kTouch_m;
-  plane << normal, std::max(offset, highest + kTouch_m);
-  return apart;
+  const double offset = result.apart ? normal.dot(cell.nearest) : highest;
+  result.plane << normal, std::max(offset, highest + kTouch_m);
+  return result;
 }
 
 }  // namespace
@@ -144,17 +145,18 @@ bool decompose_segment(const GridMap& map, const Vec3& from_enu_m, const Vec3& t
   bool clear = true;
   const double half_m = 0.5 * map.resolution_m;
   while (!blocked.empty() && polytope.planes.size() < kPlanesMax) {
-    const auto nearest = std::min_element(
-        blocked.begin(), blocked.end(),
-        [](const auto& a, const auto& b) { return a.squared_m2 < b.squared_m2; });
-    Eigen::Vector4d plane;
-    clear &= separate(segment, *nearest, plane);
-    polytope.planes.push_back(plane);
+    const auto nearest =
+        std::min_element(blocked.begin(), blocked.end(),
+                         [](const auto& a, const auto& b) { return a.squared_m2 < b.squared_m2; });
+    const Separation cut = separate(segment, *nearest);
+    clear &= cut.apart;
     *nearest = blocked.back();
     blocked.pop_back();
-    const double support_m = half_m * plane.head<3>().cwiseAbs().sum() + kTouch_m;
+    if (cut.plane.isZero()) continue;
+    polytope.planes.push_back(cut.plane);
+    const double support_m = half_m * cut.plane.head<3>().cwiseAbs().sum() - kTouch_m;
     std::erase_if(blocked, [&](const auto& cell) {
-      return plane.head<3>().dot(cell.center) - support_m >= plane[3] - 2.0 * kTouch_m;
+      return cut.plane.head<3>().dot(cell.center) - support_m >= cut.plane[3];
     });
   }
   return clear && blocked.empty();

@@ -6,8 +6,8 @@
 
 namespace foretrack {
 
-/// Whether the rest of a trajectory, from t_s on, is as far from what is not free as the check asks,
-/// or at least never nearer than where it is now. Points are at most half a cell apart.
+/// Whether the rest of a trajectory, from t_s on, is as far from what is not free as the check
+/// asks, or at least never nearer than where it is now. Points are at most half a cell apart.
 bool rest_is_clear(const GridMap& map, const PlannedTrajectory& trajectory, double t_s,
                    double required_m);
 

@@ -8,9 +8,9 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSpeedShare = 0.85;         // of the greatest speed, that the first guess counts on
-constexpr double kAccelerationShare = 0.5;   // the same, of the acceleration
-constexpr double kOverrun_s = 0.6;           // of way after the horizon that is still planned
+constexpr double kSpeedShare = 0.85;        // of the greatest speed, that the first guess counts on
+constexpr double kAccelerationShare = 0.5;  // the same, of the acceleration
+constexpr double kOverrun_s = 0.6;          // of way after the horizon that is still planned
 constexpr double kMinSegment_s = 0.2;
 
 void measure(const std::vector<Vec3>& points, std::vector<double>& arc_m) {
@@ -20,7 +20,8 @@ void measure(const std::vector<Vec3>& points, std::vector<double>& arc_m) {
     arc_m[i] = arc_m[i - 1] + (points[i] - points[i - 1]).norm();
 }
 
-// Where on the way the vehicle can be at each t_k: no further than waypoint k, no faster than it can.
+// Where on the way the vehicle can be at each t_k: no further than waypoint k, no faster than it
+// can.
 void schedule(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
               FlightPathWorkspace& w) {
   const double step_s = context.params.horizon.step_s;
@@ -60,15 +61,15 @@ double time_at(const FlightPathWorkspace& w, double arc_m, double step_s, double
   if (it == w.schedule_m.end()) return horizon_s + (arc_m - w.schedule_m.back()) / speed_m_s;
   const auto k = static_cast<std::size_t>(it - w.schedule_m.begin());
   if (k == 0) return 0.0;
-  const double part = (arc_m - w.schedule_m[k - 1]) /
-                      std::max(w.schedule_m[k] - w.schedule_m[k - 1], 1e-9);
+  const double part =
+      (arc_m - w.schedule_m[k - 1]) / std::max(w.schedule_m[k] - w.schedule_m[k - 1], 1e-9);
   return step_s * (static_cast<double>(k) - 1.0 + std::clamp(part, 0.0, 1.0));
 }
 
 }  // namespace
 
-void make_flight_path(const SearchContext& context, const WaypointPath& way,
-                      double start_speed_m_s, FlightPathWorkspace& w, FlightPath& path) {
+void make_flight_path(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
+                      FlightPathWorkspace& w, FlightPath& path) {
   const PlanningParams& params = context.params;
   const double speed_m_s = kSpeedShare * params.limits.speed_max_m_s;
   const double step_s = params.horizon.step_s;
@@ -89,8 +90,8 @@ void make_flight_path(const SearchContext& context, const WaypointPath& way,
     while (last < end_index && w.arc_m[last + 1] - w.arc_m[at] <= longest_m) ++last;
     at = furthest_straight(context, way, at, last);
     path.vertices.push_back(way.points[at]);
-    path.times_s.push_back(std::max(path.times_s.back() + kMinSegment_s,
-                                    time_at(w, w.arc_m[at], step_s, speed_m_s)));
+    path.times_s.push_back(
+        std::max(path.times_s.back() + kMinSegment_s, time_at(w, w.arc_m[at], step_s, speed_m_s)));
   }
   if (path.vertices.size() == 1) {
     path.vertices.push_back(path.vertices.front());

@@ -7,7 +7,8 @@
 
 namespace foretrack {
 
-/// The searched way, and where on it the waypoints are: arrival[k] is the index of the place at t_k.
+/// The searched way, and where on it the waypoints are: arrival[k] is the index of the place at
+/// t_k.
 struct WaypointPath {
   std::vector<Vec3> points;  // first the start
   std::vector<int> arrival;  // one for each t_k
@@ -29,7 +30,7 @@ struct FlightPathWorkspace {
 /// times the vertices: at t_k the vehicle is at waypoint k if it can be there, starting with
 /// start_speed_m_s. Times increase by at least min_segment_s and end at the horizon or later. The
 /// way is cut where the vehicle cannot be until well after the horizon.
-void make_flight_path(const SearchContext& context, const WaypointPath& way,
-                      double start_speed_m_s, FlightPathWorkspace& workspace, FlightPath& path);
+void make_flight_path(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
+                      FlightPathWorkspace& workspace, FlightPath& path);
 
 }  // namespace foretrack

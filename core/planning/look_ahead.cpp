@@ -8,11 +8,11 @@
 namespace foretrack {
 namespace {
 
-constexpr double kCoast_s = 0.2;            // of the present motion is flown whatever is planned
-constexpr double kWalkingSpeed_m_s = 0.2;   // below it, the velocity has no direction
-constexpr double kTurnReachShare = 0.5;     // of the vehicle's reach in a step, for turning a waypoint
+constexpr double kCoast_s = 0.2;           // of the present motion is flown whatever is planned
+constexpr double kWalkingSpeed_m_s = 0.2;  // below it, the velocity has no direction
+constexpr double kTurnReachShare = 0.5;  // of the vehicle's reach in a step, for turning a waypoint
 constexpr int kExpansionsOfOneSearch = 800;
-constexpr int kOtherSideSteps = 8;          // directions tried on each side for a hidden path
+constexpr int kOtherSideSteps = 8;  // directions tried on each side for a hidden path
 
 double score_of(const IntentionAssessment* assessment, Intention intention) {
   return assessment == nullptr ? 0.0 : (*assessment)[intention].score;
@@ -79,8 +79,7 @@ class LookingAhead {
 
  private:
   void search(const Vec3& target) {
-    const int left =
-        context_.params.place.search_expansions_max - out_.search.expansions;
+    const int left = context_.params.place.search_expansions_max - out_.search.expansions;
     const WaypointKind kind =
         search_waypoint(out_.search, context_, out_.way.points.back(), target,
                         std::clamp(left, 0, kExpansionsOfOneSearch), out_.way.points);
@@ -95,10 +94,10 @@ class LookingAhead {
     const Vec2 v = velocity.head<2>();
     const double heading_rad =
         v.norm() > kWalkingSpeed_m_s ? yaw_of(v) : view.visible.bisector_rad + kPi;
-    view.shrunk = shrink(view.visible,
-                         intention_margins(view.visible, heading_rad, left_, right_,
-                                           context_.params.place),
-                         context_.params.place.margin_share_max);
+    view.shrunk =
+        shrink(view.visible,
+               intention_margins(view.visible, heading_rad, left_, right_, context_.params.place),
+               context_.params.place.margin_share_max);
     return view;
   }
 
@@ -109,16 +108,16 @@ class LookingAhead {
     for (int i = 1; i <= 2 * kOtherSideSteps && !view.seen; ++i) {
       const int steps = (i + 1) / 2;
       const double turn_rad = (i % 2 == 1 ? 1.0 : -1.0) * steps * 0.5 * kPi / kOtherSideSteps;
-      const Vec2 xy = target.head<2>() +
-                      context_.wanted_distance_m * direction_of(yaw_of(offset) + turn_rad);
+      const Vec2 xy =
+          target.head<2>() + context_.wanted_distance_m * direction_of(yaw_of(offset) + turn_rad);
       view = view_of(target, velocity, context_.surface.at(xy));
     }
     return view;
   }
 
   void turn_waypoint(const Vec3& target, const Sector& sector) {
-    const double reach_m = kTurnReachShare * context_.params.limits.speed_max_m_s *
-                           context_.params.horizon.step_s;
+    const double reach_m =
+        kTurnReachShare * context_.params.limits.speed_max_m_s * context_.params.horizon.step_s;
     const Vec3 waypoint = out_.way.points.back();
     const Vec3 moved = rotate_into(context_, target, waypoint, sector, reach_m);
     if (moved != waypoint) out_.way.points.push_back(moved);

@@ -5,9 +5,8 @@
 namespace foretrack {
 namespace {
 
-// A cell's distance runs from its centre and is at most 0.37 cells too long towards a corner; a point
-// of the cell is at most 0.87 cells from the centre.
-constexpr double kSlackCells = 1.25;
+// A cell's distance runs from its centre; a point of the cell is at most 0.87 cells from it.
+constexpr double kSlackCells = 0.9;
 constexpr double kStepCells = 0.5;
 
 // Where the ray is, in cells, so that a lookup is a cast and a multiplication.
@@ -43,7 +42,8 @@ bool sees(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, doub
 
 bool is_clear(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, double required_m) {
   const Ray ray(map, from_enu_m, to_enu_m);
-  const double slack_m = kSlackCells * map.resolution_m, step_m = kStepCells * map.resolution_m;
+  const double slack_m = 2.0 * kSlackCells * map.resolution_m;  // of this cell and the one there
+  const double step_m = kStepCells * map.resolution_m;
   for (double at_m = 0.0;; at_m = std::min(at_m, ray.length_m)) {
     const Eigen::Vector3i cell = ray.cell(at_m);
     if (!map.contains(cell)) return false;

@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSlowdown = 1.4;        // of the first guess's times in the second attempt
-constexpr double kFirmCorridor = 10.0;   // of the corridor's weight in the second attempt
+constexpr double kSlowdown = 1.4;       // of the first guess's times in the second attempt
+constexpr double kFirmCorridor = 10.0;  // of the corridor's weight in the second attempt
 constexpr double kStands_m_s = 0.02;
 
 bool is_finite(const PlanInput& in) {
@@ -88,8 +88,8 @@ class Replan {
   double wanted_distance_m() const {
     const double low_m =
         in_.intention != nullptr && params_.horizon.intention_margins
-            ? params_.place.distance_low_m + params_.place.distance_extra_m *
-                                                 (*in_.intention)[Intention::kDecelerate].score
+            ? params_.place.distance_low_m +
+                  params_.place.distance_extra_m * (*in_.intention)[Intention::kDecelerate].score
             : params_.place.distance_low_m;
     return std::max(params_.distance_wanted_m(),
                     std::min(low_m + params_.place.ring_tolerance_m,
@@ -122,10 +122,11 @@ class Replan {
     trajectory.pieces.push_back(make_stop_tail(end, params_.limits).piece);
   }
 
-  PlanReason check(const PlannedTrajectory& trajectory) {
+  PlanReason check(PlannedTrajectory& trajectory) {
+    trajectory.start_s = start_.time_s;
     CheckInputs inputs{*in_.map, start_.state, start_.yaw};
     if (!lost() && s_.belief.count > 0) inputs.target_path = &s_.belief.paths[0];
-    inputs.target_stamp_s = s_.belief.stamp_s - start_.time_s;
+    inputs.target_stamp_s = s_.belief.stamp_s;
     CheckResult& result = next().diagnostics.check;
     result = check_trajectory(trajectory, inputs, params_.limits, params_.check);
     return result.reason;
@@ -142,7 +143,6 @@ class Replan {
     PlannedTrajectory& t = next().trajectory;
     t.id = ++s_.last_id;
     t.stamp_s = lost() ? s_.belief.stamp_s : in_.target.stamp_s;
-    t.start_s = start_.time_s;
     t.status = lost() ? PlanStatus::kSearch : PlanStatus::kFresh;
     t.reason = lost() ? PlanReason::kTargetLost : PlanReason::kOk;
     fill_views(t);
@@ -191,8 +191,8 @@ class Replan {
 
   const PlanResult& fall_back(PlanReason reason) {
     PlannedTrajectory& t = flown().trajectory;
-    if (start_.on_flown && rest_is_clear(*in_.map, t, start_.time_s - t.start_s,
-                                         params_.check.vehicle_radius_m)) {
+    if (start_.on_flown &&
+        rest_is_clear(*in_.map, t, start_.time_s - t.start_s, params_.check.vehicle_radius_m)) {
       const bool stands = t.velocity(start_.time_s - t.start_s).norm() < kStands_m_s &&
                           start_.time_s - t.start_s > t.tail_start_s;
       t.status = stands ? PlanStatus::kHold : PlanStatus::kKept;
@@ -220,8 +220,7 @@ class Replan {
 
 }  // namespace
 
-const PlanResult& plan(PlanningState& state, const PlanInput& input,
-                       const PlanningParams& params) {
+const PlanResult& plan(PlanningState& state, const PlanInput& input, const PlanningParams& params) {
   return Replan(state, input, params).run();
 }
 

@@ -3,10 +3,10 @@
 
 #include "core/common/target.hpp"
 #include "core/common/vehicle.hpp"
+#include "core/planning/aim_camera.hpp"
 #include "core/planning/corridor.hpp"
 #include "core/planning/look_ahead.hpp"
 #include "core/planning/stop_tail.hpp"
-#include "core/planning/yaw_plan.hpp"
 
 namespace foretrack {
 
@@ -28,7 +28,7 @@ struct PlanDiagnostics {
   int iterations = 0;
   int evaluations = 0;
   double cost = 0.0;
-  CheckResult check;  // of the last candidate
+  CheckResult check;                               // of the last candidate
   std::array<double, kPlanStageCount> stage_ms{};  // zero without a clock
 };
 
@@ -57,8 +57,7 @@ struct PlanningState {
   CorridorWorkspace corridor;
   OptimizationProblem problem;
   OptimizerState optimizer;
-  AnglePlanWorkspace angles;
-  std::vector<double> bearings_rad;
+  AimWorkspace aim;
 };
 
 /// One replan. The result lives in `state` until the next call but one.

@@ -74,7 +74,9 @@ ParamRows rows(ViewParams& p) {
   };
 }
 
-void append(ParamRows& all, const ParamRows& part) { all.insert(all.end(), part.begin(), part.end()); }
+void append(ParamRows& all, const ParamRows& part) {
+  all.insert(all.end(), part.begin(), part.end());
+}
 
 }  // namespace
 

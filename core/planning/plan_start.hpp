@@ -7,7 +7,7 @@
 namespace foretrack {
 
 struct PlanStart {
-  double time_s = 0.0;    // absolute; the trajectory's t = 0
+  double time_s = 0.0;  // absolute; the trajectory's t = 0
   BoundaryState state;
   AngleNode yaw;
   AngleNode gimbal_pitch;

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kExtrapolation_s = 0.4;  // of a path that ends before the planning horizon
 
-void constant_velocity(const TargetState& target, const HorizonParams& params, PredictedPath& path) {
+void constant_velocity(const TargetState& target, const HorizonParams& params,
+                       PredictedPath& path) {
   path.intention = Intention::kForward;
   path.probability = 1.0;
   path.states.clear();

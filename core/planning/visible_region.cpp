@@ -25,7 +25,7 @@ class RingSight {
     const double far_m = std::hypot(
         radius_m_, std::abs(context_.surface.level_z_m - target_.z()) + context_.map.resolution_m);
     return context_.map.contains(target_) &&
-           context_.map.occupied_distance_m(target_) - 1.25 * context_.map.resolution_m > far_m;
+           context_.map.occupied_distance_m(target_) - 0.9 * context_.map.resolution_m > far_m;
   }
   // How far one can rotate from the angle towards the side (+1, −1) until sight is blocked.
   double opening_rad(double from_rad, double side, int steps) const {
@@ -70,8 +70,8 @@ bool visible_sector(const SearchContext& context, const Vec3& target_enu_m, cons
   return true;
 }
 
-SectorMargins intention_margins(const Sector& sector, double target_heading_rad,
-                                double score_left, double score_right, const PlaceParams& params) {
+SectorMargins intention_margins(const Sector& sector, double target_heading_rad, double score_left,
+                                double score_right, const PlaceParams& params) {
   // 1: the vehicle is ahead of the target, 0: behind it.
   const double ahead = 0.5 * (1.0 + std::cos(sector.bisector_rad - target_heading_rad));
   const double counter_clockwise = ahead * score_left + (1.0 - ahead) * score_right;

@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr int kWindow = 160;            // cells a side
-constexpr double kNearTargetFactor = 3.0;  // cost of way closer to the person than allowed
+constexpr int kWindow = 160;                 // cells a side
+constexpr double kNearTargetFactor = 3.0;    // cost of way closer to the person than allowed
 constexpr double kLowClearanceFactor = 1.0;  // cost of way beside obstacles
 constexpr double kGreed = 1.15;  // of the heuristic: fewer expansions for a slightly longer way
 
@@ -26,7 +26,8 @@ class RingSearch {
         wanted_m_(context.wanted_distance_m),
         tolerance_m_(context.params.place.ring_tolerance_m),
         too_near_m_(context.params.check.target_distance_min_m + 0.2),
-        required_cm_(static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {}
+        required_cm_(
+            static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {}
 
   // True at a place on the ring that sees the target.
   bool is_goal(const Vec3& p) const {

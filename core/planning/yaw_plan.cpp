@@ -69,7 +69,8 @@ void roll_out(const AngleNode& start, const AngleLimits& limits, std::vector<Sta
   plan.nodes.assign(1, start);
   for (Stage& s : stages) {
     const AngleNode node = plan.nodes.back();
-    const double free = s.feedforward - s.gain_angle * node.angle_rad - s.gain_rate * node.rate_rad_s;
+    const double free =
+        s.feedforward - s.gain_angle * node.angle_rad - s.gain_rate * node.rate_rad_s;
     s.acceleration = limited(free, node.rate_rad_s, plan.dt_s, limits);
     s.clamped = s.acceleration != free;
     const AngleNode next = advance(node, s.acceleration, plan.dt_s);

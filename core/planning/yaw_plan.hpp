@@ -25,12 +25,12 @@ struct AnglePlanWorkspace {
   std::vector<Stage> stages;
 };
 
-/// Fills `plan` with constant accelerations between nodes, from `start` on: the least sum of squared
-/// errors against wanted_rad[i] at node i + 1 (any turn of the circle: the nearest one to the one
-/// before is meant) and of effort, subject to the limits, which hold exactly. Solved by a Riccati
-/// recursion that is repeated a few times with the accelerations at their bounds held there. After
-/// the last wanted angle the rate is braked to zero. A start rate beyond its limit is braked at once.
-/// Cost: about 0.05 µs a node and pass.
+/// Fills `plan` with constant accelerations between nodes, from `start` on: the least sum of
+/// squared errors against wanted_rad[i] at node i + 1 (any turn of the circle: the nearest one to
+/// the one before is meant) and of effort, subject to the limits, which hold exactly. Solved by a
+/// Riccati recursion that is repeated a few times with the accelerations at their bounds held
+/// there. After the last wanted angle the rate is braked to zero. A start rate beyond its limit is
+/// braked at once. Cost: about 0.05 µs a node and pass.
 void plan_angle(const AngleNode& start, const std::vector<double>& wanted_rad,
                 const AngleLimits& limits, AnglePlanWorkspace& workspace, AnglePlan& plan);
 
