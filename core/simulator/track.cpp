@@ -1,0 +1,90 @@
+#include "core/simulator/track.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace foretrack {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r,";
+
+// Where the error is, and what the rows should look like.
+struct Place {
+  const std::string& file_name;
+  TrackFormat format;
+  int line = 0;
+  [[noreturn]] void fail(const std::string& what) const {
+    const char* row = format == TrackFormat::kOpenTraj ? "frame id x z y vx vz vy" : "frame id x y";
+    throw std::invalid_argument(file_name + ":" + std::to_string(line) + ": " + what +
+                                "; a row is '" + row + "'");
+  }
+};
+
+std::vector<double> numbers_of(std::string_view row, const Place& place) {
+  std::vector<double> numbers;
+  for (std::size_t at = row.find_first_not_of(kBlanks); at != std::string_view::npos;
+       at = row.find_first_not_of(kBlanks, at)) {
+    const std::size_t end = std::min(row.find_first_of(kBlanks, at), row.size());
+    const std::string_view word = row.substr(at, end - at);
+    double value = 0.0;
+    const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || last != word.data() + word.size() || !std::isfinite(value))
+      place.fail("'" + std::string(word) + "' is not a number");
+    numbers.push_back(value);
+    at = end;
+  }
+  return numbers;
+}
+
+int whole(double value, const char* name, const Place& place) {
+  if (value != std::floor(value) || std::abs(value) > 1e9)
+    place.fail(std::string(name) + " " + std::to_string(value) + " is not a whole number");
+  return static_cast<int>(value);
+}
+
+}  // namespace
+
+std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, double rate_hz,
+                                const std::string& file_name) {
+  if (!(rate_hz > 0.0)) throw std::invalid_argument(file_name + ": rate_hz must be above 0");
+  const std::size_t columns = format == TrackFormat::kOpenTraj ? 8 : 4;
+  std::map<int, std::vector<TrackPoint>> by_id;
+  Place place{file_name, format};
+  double first_frame = std::nan("");
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++place.line;
+    const auto row = numbers_of(line.substr(0, line.find('#')), place);
+    if (row.empty()) continue;
+    if (row.size() != columns) place.fail("found " + std::to_string(row.size()) + " columns");
+    if (std::isnan(first_frame)) first_frame = row[0];
+    const double time_s = (whole(row[0], "frame", place) - first_frame) / rate_hz;
+    auto& points = by_id[whole(row[1], "id", place)];
+    if (!points.empty() && time_s <= points.back().time_s)
+      place.fail("the frames of pedestrian " + std::to_string(static_cast<int>(row[1])) +
+                 " do not increase");
+    points.push_back({time_s, {row[2], format == TrackFormat::kOpenTraj ? row[4] : row[3]}});
+  }
+  if (by_id.empty()) place.fail("no rows");
+  std::vector<Track> tracks;
+  for (auto& [id, points] : by_id) tracks.push_back({id, std::move(points)});
+  return tracks;
+}
+
+const Track& track_of(const std::vector<Track>& tracks, int pedestrian,
+                      const std::string& file_name) {
+  std::string known;
+  for (const auto& track : tracks) {
+    if (track.pedestrian == pedestrian) return track;
+    known.append(known.empty() ? "" : ", ").append(std::to_string(track.pedestrian));
+  }
+  throw std::invalid_argument(file_name + ": no pedestrian " + std::to_string(pedestrian) +
+                              "; there are " + known);
+}
+
+}  // namespace foretrack

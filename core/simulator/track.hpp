@@ -1,0 +1,33 @@
+// Recorded pedestrians: text rows into tracks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/simulator/walk.hpp"
+
+namespace foretrack {
+
+enum class TrackFormat : std::uint8_t {
+  kOpenTraj,  // frame id x z y vx vz vy, as the OpenTraj collection has its "obsmat" files
+  kFrameIdXy  // frame id x y
+};
+
+struct Track {
+  int pedestrian = 0;
+  std::vector<TrackPoint> points;  // time_s from the first frame of the file, increasing
+};
+
+/// All tracks of a file's text, by pedestrian. rate_hz: frames a second. Blank lines and what
+/// follows # are skipped. Throws std::invalid_argument that names `file_name`, the line, what was
+/// found and what was expected.
+std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, double rate_hz,
+                                const std::string& file_name);
+
+/// The track of one pedestrian. Throws std::invalid_argument that lists those that exist.
+const Track& track_of(const std::vector<Track>& tracks, int pedestrian,
+                      const std::string& file_name);
+
+}  // namespace foretrack
