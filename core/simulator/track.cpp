@@ -32,7 +32,7 @@ std::vector<double> numbers_of(std::string_view row, const Place& place) {
     double value = 0.0;
     const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || last != word.data() + word.size() || !std::isfinite(value))
-      place.fail("'" + std::string(word) + "' is not a number");
+      place.fail(std::string(word) + " is not a number");
     numbers.push_back(value);
     at = end;
   }
