@@ -1,0 +1,57 @@
+// All that decides a simulated flight: a plain value, read from YAML by services/config.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulator/autopilot.hpp"
+#include "core/simulator/depth_camera.hpp"
+#include "core/simulator/landmark_camera.hpp"
+#include "core/simulator/person.hpp"
+#include "core/simulator/quadrotor.hpp"
+#include "core/simulator/track.hpp"
+#include "core/simulator/world.hpp"
+
+namespace foretrack {
+
+struct TargetSpec {
+  std::vector<Vec2> route_m;      // empty, and no track: a route is generated from the seed
+  std::vector<TrackPoint> track;  // a recorded pedestrian; instead of a route
+  double speed_m_s = 1.5;
+  double corner_reach_m = 0.45;
+  PersonParams person;
+};
+
+enum class MapSource : std::uint8_t { kKnown, kDepth };
+inline constexpr std::array<std::string_view, 2> kMapSourceNames = {"known", "depth"};
+
+struct Scenario {
+  std::string name = "unnamed";
+  World world;  // the shapes given one by one
+  WorldGenerator generator;
+  TargetSpec target;
+  std::optional<Vec3> vehicle_enu_m;  // none: 2 m behind the target, or the nearest free place
+  double vehicle_yaw_rad = 0.0;       // used with vehicle_enu_m
+  QuadrotorParams quadrotor;
+  AutopilotParams autopilot;
+  WindParams wind;
+  LandmarkCameraParams landmark_camera;
+  DepthCameraParams depth_camera;
+  bool depth_images = false;  // rendered also with the known map
+  MapSource map = MapSource::kKnown;
+  double map_resolution_m = 0.15;
+  double duration_s = 60.0;
+  std::uint64_t seed = 1;
+};
+
+/// The given shapes and the generated ones. Where a route or track is given, generated shapes keep
+/// clear of it.
+World world_of(const Scenario& scenario);
+
+/// The route, the track, or a generated route (generator.kind and seed decide). Throws
+/// std::invalid_argument if the world leaves no way.
+Walk walk_of(const Scenario& scenario, const World& world);
+
+}  // namespace foretrack

@@ -1,0 +1,140 @@
+#include "core/simulator/simulate.hpp"
+
+#include <stdexcept>
+
+#include "core/simulator/route.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kStartHeight_m = 1.5, kStartDistance_m = 2.0, kStartClearance_m = 0.5;
+
+std::uint64_t seed_of(const Scenario& scenario, std::uint64_t part) {
+  return Random(scenario.seed * 16 + part).next();
+}
+
+std::vector<Vec2> given_path(const TargetSpec& target) {
+  if (target.track.empty()) return target.route_m;
+  std::vector<Vec2> path;
+  for (const auto& point : target.track) path.push_back(point.position_m);
+  return path;
+}
+
+std::string text_of(const Vec3& p) {
+  return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
+         ")";
+}
+
+bool fits(const World& world, const Vec3& p) {
+  return world.contains(p) && clearance_m(world, p) >= kStartClearance_m;
+}
+
+// Behind the person at the usual distance; else round the person outwards from there, until a place
+// is free and sees the person.
+Vec3 free_start(const World& world, const PersonState& person, double ground_z) {
+  const double behind = person.body_yaw_rad + kPi;
+  for (const double distance_m : {kStartDistance_m, 1.5, 2.5, 3.0})
+    for (int k = 0; k < 24; ++k) {
+      const double angle = behind + (k % 2 ? 1 : -1) * ((k + 1) / 2) * kPi / 12.0;
+      const Vec2 p = person.position_enu_m.head<2>() + distance_m * direction_of(angle);
+      const Vec3 place(p.x(), p.y(), ground_z + kStartHeight_m);
+      if (fits(world, place) && line_of_sight(world, place, person.position_enu_m)) return place;
+    }
+  throw std::invalid_argument("scenario: no free place for the vehicle near the target at " +
+                              text_of(person.position_enu_m));
+}
+
+QuadrotorState place_vehicle(const Scenario& scenario, const World& world,
+                             const PersonState& person) {
+  const auto seed = seed_of(scenario, 1);
+  if (scenario.vehicle_enu_m) {
+    const Vec3& p = *scenario.vehicle_enu_m;
+    if (!world.contains(p) || clearance_m(world, p) <= 0.0)
+      throw std::invalid_argument("scenario: the vehicle's start " + text_of(p) +
+                                  " is inside an obstacle or outside the bounds");
+    return make_quadrotor(scenario.quadrotor, p, scenario.vehicle_yaw_rad, seed);
+  }
+  const Vec3 p = free_start(world, person, world.min_m.z());
+  const double yaw = yaw_of(Vec2(person.position_enu_m.head<2>() - p.head<2>()));
+  return make_quadrotor(scenario.quadrotor, p, yaw, seed);
+}
+
+}  // namespace
+
+World world_of(const Scenario& scenario) {
+  const auto path = given_path(scenario.target);
+  World world =
+      generate_world(scenario.generator, scenario.world.min_m, scenario.world.max_m, path);
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.begin(), from.begin(), from.end());
+  };
+  append(world.boxes, scenario.world.boxes);
+  append(world.cylinders, scenario.world.cylinders);
+  return world;
+}
+
+Walk walk_of(const Scenario& scenario, const World& world) {
+  const TargetSpec& target = scenario.target;
+  if (!target.track.empty()) return walk_through(target.track);
+  const WalkLimits limits{target.speed_m_s, target.person.acceleration_m_s2, target.corner_reach_m};
+  if (!target.route_m.empty()) return walk_along(target.route_m, limits);
+  const RouteRequest request{.seed = seed_of(scenario, 2),
+                             .length_m = target.speed_m_s * scenario.duration_s,
+                             .corner_reach_m = target.corner_reach_m};
+  return walk_along(scenario.generator.kind == WorldKind::kTIntersection
+                        ? t_intersection_route(request)
+                        : generate_route(world, request),
+                    limits);
+}
+
+SimulatorState make_simulator(const Scenario& scenario) {
+  World world = world_of(scenario);
+  Person person = make_person(scenario.target.person, walk_of(scenario, world), world.min_m.z());
+  if (!world.contains(person.state.position_enu_m) ||
+      clearance_m(world, person.state.position_enu_m) <= 0.0)
+    throw std::invalid_argument("scenario: the target's start " +
+                                text_of(person.state.position_enu_m) +
+                                " is inside an obstacle or outside the bounds");
+  QuadrotorState quadrotor = place_vehicle(scenario, world, person.state);
+  Autopilot autopilot = make_autopilot(scenario.autopilot, quadrotor.vehicle);
+  SimulatorState state{scenario,
+                       std::move(world),
+                       std::move(person),
+                       std::move(quadrotor),
+                       std::move(autopilot),
+                       make_landmark_camera(scenario.landmark_camera, seed_of(scenario, 3)),
+                       make_depth_camera(scenario.depth_camera, seed_of(scenario, 4)),
+                       {}};
+  state.output.vehicle = state.quadrotor.vehicle;
+  state.output.autopilot = state.autopilot.status;
+  state.output.target = state.person.state;
+  return state;
+}
+
+const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& input, double dt_s) {
+  if (!(dt_s > 0.0)) throw std::invalid_argument("simulate: dt_s must be greater than 0");
+  const Scenario& scenario = state.scenario;
+  const double height_m = scenario.target.person.height_m;
+  const Setpoint& setpoint = update_autopilot(state.autopilot, input, state.quadrotor.vehicle);
+  fly_setpoint(scenario.quadrotor, scenario.wind, state.quadrotor, setpoint,
+               state.autopilot.status.armed, dt_s);
+  advance(state.person, dt_s);
+
+  SimulatorOutput& out = state.output;
+  out.now_s += dt_s;
+  // One clock for all: sums of steps of 2 ms and of 10 ms differ in the last bits.
+  state.quadrotor.vehicle.stamp_s = state.person.state.stamp_s = out.now_s;
+  out.vehicle = state.quadrotor.vehicle;
+  out.acceleration_enu_m_s2 = state.quadrotor.acceleration_enu_m_s2;
+  out.autopilot = state.autopilot.status;
+  out.autopilot.stamp_s = out.now_s;
+  out.target = state.person.state;
+  out.observation = observe(state.landmark_camera, state.world, out.vehicle, out.target, height_m);
+  const bool wants_depth = scenario.map == MapSource::kDepth || scenario.depth_images;
+  out.depth = wants_depth
+                  ? image_depth(state.depth_camera, state.world, out.vehicle, out.target, height_m)
+                  : nullptr;
+  return out;
+}
+
+}  // namespace foretrack

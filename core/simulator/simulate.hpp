@@ -1,0 +1,40 @@
+// The simulator's façade: world, person, vehicle, autopilot and cameras, one step at a time.
+#pragma once
+
+#include <optional>
+
+#include "core/simulator/scenario.hpp"
+
+namespace foretrack {
+
+struct SimulatorOutput {
+  double now_s = 0.0;
+  VehicleState vehicle;  // truth, which is also the odometry
+  Vec3 acceleration_enu_m_s2 = Vec3::Zero();
+  AutopilotStatus autopilot;
+  std::optional<TargetObservation> observation;  // delivered in this step
+  const DepthImage* depth = nullptr;             // null: none in this step
+  PersonState target;                            // truth
+};
+
+struct SimulatorState {
+  Scenario scenario;
+  World world;
+  Person person;
+  QuadrotorState quadrotor;
+  Autopilot autopilot;
+  LandmarkCamera landmark_camera;
+  DepthCamera depth_camera;
+  SimulatorOutput output;
+};
+
+/// At time 0: the person stands at the start, the vehicle hovers armed. Each part draws its noise
+/// from a seed of its own. Throws std::invalid_argument for a scenario that cannot be (start inside
+/// an obstacle or outside the bounds, no way to walk).
+SimulatorState make_simulator(const Scenario& scenario);
+
+/// Advances by dt_s (10 ms is usual). Autopilot, then vehicle, person, images. The output is also
+/// in the state. Cost: about 20 µs for 10 ms, with a depth image 2 ms more.
+const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& input, double dt_s);
+
+}  // namespace foretrack
