@@ -52,7 +52,7 @@ struct OptimizerParams {
   double height_weight = 1.0e3;           // of cubed metres
   double limit_fraction = 0.93;           // the penalties' limits, as a part of the flight limits
   double corridor_margin_m = 0.03;        // penalties begin this far inside a polytope
-  double relative_decrease = 1.0e-3;      // stop below it
+  double relative_decrease = 3.0e-4;      // stop below it
   int iterations_max = 60;
   int evaluations_max = 90;
 };

@@ -8,7 +8,7 @@ namespace {
 /// Curvatures that the preconditioner assumes: of the penalties by a waypoint's coordinate, and of
 /// the cost by a duration's variable. Found by measurement on the benchmark's problems.
 constexpr double kPenaltyCurvature = 20.0;
-constexpr double kDurationCurvature = 50.0;
+constexpr double kDurationCurvature = 300.0;
 
 std::span<const double> duration_part(const Variables& x, int pieces) {
   return {x.data() + 3 * (pieces - 1), static_cast<std::size_t>(pieces) + 1};
@@ -41,6 +41,18 @@ void TrajectoryCost::prepare(const OptimizationProblem& problem, const Optimizer
   jerk_hessian(minco_, hessian_);
   hessian_.diagonal().array() += kPenaltyCurvature;
   metric_.compute(hessian_);
+  smooth_first_guess();
+}
+
+void TrajectoryCost::smooth_first_guess() {
+  const int n = minco_.pieces;
+  set_zero(gradient_, n);
+  add_jerk_energy(minco_, gradient_);
+  Variables step = Variables::Zero(first_guess_.size());
+  for (int i = 0; i + 1 < n; ++i)
+    step.segment<3>(3 * i) = -gradient_.junctions[i + 1].row(0).transpose();
+  precondition(step);
+  first_guess_ += step;
 }
 
 void TrajectoryCost::set_first_guess() {

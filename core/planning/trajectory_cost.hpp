@@ -32,6 +32,8 @@ class TrajectoryCost : public CostFunction {
     Sector region, next_region;
   };
   void set_first_guess();
+  /// The minimum of the smoothness and the squared distance to the given waypoints.
+  void smooth_first_guess();
   void add_sample(const PreparedSample& prepared, const Vec3& p, PointPenalty& sum) const;
   double add_samples();
 
