@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
+#include <limits>
 
 #include "core/common/random.hpp"
 
@@ -12,6 +14,9 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat26 = Eigen::Matrix<double, 2, 6>;
 
 constexpr int kRefinements = 12;
+constexpr int kWideRefinements = 2;
+constexpr double kStartSigmas = 12.0;
+constexpr double kMostNoiseScale = 3.0;
 constexpr double kInlierSigmas = 4.0;
 
 struct Pair {
@@ -100,9 +105,10 @@ struct Refiner {
   double focal_px;
   Mat3 R = Mat3::Identity();
   Vec3 t;
+  double scale = 1.0;  // of the noise
 
   double sigma_at(double z) const {
-    return std::hypot(params.image_noise_px / focal_px, params.joint_noise_m / z);
+    return scale * std::hypot(params.image_noise_px / focal_px, params.joint_noise_m / z);
   }
   // Image error of a pair in standard deviations; infinite behind the camera.
   double error_of(const Pair& p) const {
@@ -143,13 +149,24 @@ struct Refiner {
   }
 };
 
+// Median error over the one that is expected of normal noise in the plane.
+double noise_scale(const Refiner& refiner) {
+  std::array<double, kLandmarkCount> errors;
+  double* end = errors.data();
+  for (const Pair& p : refiner.pairs) *end++ = refiner.error_of(p);
+  double* middle = errors.data() + refiner.pairs.count / 2;
+  std::nth_element(errors.data(), middle, end);
+  return std::clamp(*middle / 1.177, 1.0, kMostNoiseScale);
+}
+
 // The loss starts wide and narrows, so that the start need not be good.
 void refine(Refiner& refiner) {
-  double width = 12.0;
+  double width = kStartSigmas;
   for (int k = 0; k < kRefinements; ++k) {
+    if (k == kWideRefinements) refiner.scale = noise_scale(refiner);
     const double moved = refiner.step(width);
     if (width == kInlierSigmas && moved < 1e-5) return;
-    width = std::max(0.6 * width, kInlierSigmas);
+    if (k >= kWideRefinements) width = std::max(0.6 * width, kInlierSigmas);
   }
 }
 
@@ -183,8 +200,10 @@ std::optional<BodyPose> estimate_body_pose(const std::array<Landmark, kLandmarkC
     const Vec2 image = *camera.project(refiner.R * p.body_m + refiner.t);
     sum += (image - landmarks[p.landmark].image_px).squaredNorm();
   }
-  if (pose.used_count < params.min_landmarks) return std::nullopt;
+  if (pose.used_count < params.min_landmarks || 2 * pose.used_count < pairs.count)
+    return std::nullopt;
   if (refiner.t.z() < 0.1 || refiner.t.norm() > params.max_range_m) return std::nullopt;
+  pose.noise_scale = refiner.scale;
   pose.reprojection_rms_px = std::sqrt(sum / pose.used_count);
   return pose;
 }

@@ -18,12 +18,15 @@ struct PerceptionParams {
   double alignment_noise_rad = 0.25;
   double max_range_m = 12.0;
   // Noise of the torso measurement.
-  double lateral_noise_m = 0.03;
-  double range_noise_ratio = 0.02;
+  double lateral_noise_m = 0.02;
+  double range_noise_ratio = 0.016;
   double yaw_noise_rad = 0.14;
   // Filter.
-  double acceleration_density_m2_s3 = 0.6;
-  double vertical_acceleration_density_m2_s3 = 0.05;
+  double steady_density_m2_s3 = 0.1;
+  double manoeuvre_density_m2_s3 = 5.0;
+  double manoeuvre_memory_s = 0.12;
+  double manoeuvre_level = 0.65;
+  double vertical_density_m2_s3 = 0.05;
   double vertical_damping_s = 0.5;
   double initial_speed_sigma_m_s = 1.0;
   double gate_mahalanobis = 4.0;

@@ -9,6 +9,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kSameStamp_s = 1e-6;
+constexpr double kLeastVariance_m2 = 1e-6;  // so that a source may call itself exact
 
 // Two shoulders in the world → where the chest points. The paper's normal points to the back in a
 // z-up frame; this is its negative.
@@ -43,10 +44,11 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
   const Vec3 left = joint_enu_m(kLeftShoulder), right = joint_enu_m(kRightShoulder);
   TorsoMeasurement& m = result.measured;
   m.position_enu_m = 0.25 * (left + right + joint_enu_m(kLeftHip) + joint_enu_m(kRightHip));
-  m.covariance_m2 = position_noise(m.position_enu_m - T_world_camera.translation(), params);
+  const double noise = body->noise_scale * body->noise_scale;
+  m.covariance_m2 = noise * position_noise(m.position_enu_m - T_world_camera.translation(), params);
   if (body->used[kLeftShoulder] && body->used[kRightShoulder])
     m.yaw_rad = yaw_from_shoulders(left, right);
-  m.yaw_variance_rad2 = params.yaw_noise_rad * params.yaw_noise_rad;
+  m.yaw_variance_rad2 = noise * params.yaw_noise_rad * params.yaw_noise_rad;
   result.used_landmarks = body->used_count;
   result.reprojection_rms_px = body->reprojection_rms_px;
   return true;
@@ -55,13 +57,14 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
 bool measure_position(const TargetObservation& observation, PerceptionResult& result) {
   TorsoMeasurement& m = result.measured;
   m.position_enu_m = observation.position_enu_m;
-  m.covariance_m2 = observation.covariance_m2;
+  m.covariance_m2 = observation.covariance_m2 + kLeastVariance_m2 * Mat3::Identity();
   m.yaw_rad = observation.body_yaw_rad;
   m.yaw_variance_rad2 = observation.body_yaw_variance_rad2;
   return true;
 }
 
 bool is_valid(const TorsoMeasurement& m) {
+  if (!std::isfinite(m.stamp_s)) return false;
   if (!m.position_enu_m.allFinite() || !m.covariance_m2.allFinite()) return false;
   if (std::isfinite(m.yaw_rad) && !(m.yaw_variance_rad2 > 0.0)) return false;
   const Eigen::LLT<Mat3> factor(m.covariance_m2);
@@ -147,8 +150,7 @@ PerceptionResult perceive(PerceptionState& state, const TargetObservation& obser
   const bool measured = observation.kind == TargetObservation::Kind::kLandmarks
                             ? measure_landmarks(observation, vehicle, params, result)
                             : measure_position(observation, result);
-  if (measured && is_valid(result.measured) && std::isfinite(observation.stamp_s))
-    filter(state, params, result);
+  if (measured && is_valid(result.measured)) filter(state, params, result);
   const double newest_s = state.count > 0 ? state.entries[state.count - 1].estimate.stamp_s : 0.0;
   result.target = coast(state, newest_s, params);
   return result;

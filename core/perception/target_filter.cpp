@@ -1,6 +1,8 @@
 #include "core/perception/target_filter.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
 
 namespace foretrack {
 namespace {
@@ -37,6 +39,21 @@ void correct_yaw(TargetEstimate& e, const TorsoMeasurement& m, const PerceptionP
   e.yaw_variance_rad2 *= 1.0 - gain;
 }
 
+// Innovations that keep pointing the same way are a manoeuvre; noise has no mean.
+void weigh_innovation(TargetEstimate& e, const Vec2& innovation, const Mat2& covariance,
+                      double dt_s, const PerceptionParams& params) {
+  const double keep = std::exp(-dt_s / params.manoeuvre_memory_s);
+  const Vec2 normalised = covariance.llt().matrixL().solve(innovation);
+  e.manoeuvre = keep * e.manoeuvre + (1.0 - keep) * normalised;
+}
+
+double horizontal_density(const TargetEstimate& e, const PerceptionParams& params) {
+  const double ratio = e.manoeuvre.norm() / params.manoeuvre_level;
+  const double weight = std::clamp(ratio * ratio - 1.0, 0.0, 1.0);
+  return params.steady_density_m2_s3 +
+         weight * (params.manoeuvre_density_m2_s3 - params.steady_density_m2_s3);
+}
+
 void correct_position(TargetEstimate& e, const TorsoMeasurement& m, const Mat3& inverse) {
   const Eigen::Matrix<double, 6, 3> gain = e.covariance.leftCols<3>() * inverse;
   e.mean += gain * (m.position_enu_m - e.mean.head<3>());
@@ -62,8 +79,8 @@ TargetEstimate predict_estimate(const TargetEstimate& estimate, double stamp_s,
   e.stamp_s = stamp_s;
   e.mean = transition * estimate.mean;
   e.covariance = transition * estimate.covariance * transition.transpose();
-  const double horizontal = params.acceleration_density_m2_s3;
-  const Vec3 density(horizontal, horizontal, params.vertical_acceleration_density_m2_s3);
+  const double horizontal = horizontal_density(estimate, params);
+  const Vec3 density(horizontal, horizontal, params.vertical_density_m2_s3);
   for (int a = 0; a < 3; ++a) {
     e.covariance(a, a) += density[a] * dt * dt * dt / 3.0;
     e.covariance(a, a + 3) += density[a] * dt * dt / 2.0;
@@ -80,9 +97,12 @@ TargetEstimate advance(const TargetEstimate& estimate, const TorsoMeasurement& m
     return started(m, params);
   TargetEstimate e = predict_estimate(estimate, m.stamp_s, params);
   const Vec3 innovation = m.position_enu_m - e.mean.head<3>();
-  const Mat3 inverse = (e.covariance.topLeftCorner<3, 3>() + m.covariance_m2).inverse();
+  const Mat3 spread = e.covariance.topLeftCorner<3, 3>() + m.covariance_m2;
+  const Mat3 inverse = spread.inverse();
   e.mahalanobis = std::sqrt(std::max(0.0, innovation.dot(inverse * innovation)));
   if (e.mahalanobis <= params.gate_mahalanobis) {
+    weigh_innovation(e, innovation.head<2>(), spread.topLeftCorner<2, 2>(),
+                     m.stamp_s - estimate.stamp_s, params);
     correct_position(e, m, inverse);
     correct_yaw(e, m, params);
     e.verdict = FilterVerdict::kAccepted;

@@ -29,7 +29,8 @@ struct TargetEstimate {
   Mat6 covariance = Mat6::Identity();
   double yaw_rad = std::numeric_limits<double>::quiet_NaN();
   double yaw_variance_rad2 = 1.0;
-  double accepted_s = 0.0;  // stamp of the last accepted measurement
+  double accepted_s = 0.0;        // stamp of the last accepted measurement
+  Vec2 manoeuvre = Vec2::Zero();  // mean of the recent innovations, in standard deviations
   int gated_in_a_row = 0;
   Vec3 gated_position_m = Vec3::Zero();  // the last of them
   int yaw_gated_in_a_row = 0;
@@ -38,7 +39,7 @@ struct TargetEstimate {
 };
 
 /// The estimate at stamp_s ≥ estimate.stamp_s: constant horizontal velocity, damped vertical speed,
-/// white acceleration as process noise. Cost: two 6 × 6 products.
+/// white acceleration as process noise, more of it in a manoeuvre. Cost: two 6 × 6 products.
 TargetEstimate predict_estimate(const TargetEstimate& estimate, double stamp_s,
                                 const PerceptionParams& params);
 
