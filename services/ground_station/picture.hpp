@@ -1,0 +1,74 @@
+// All that the ground station knows of one flight at one moment.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "foretrack_msgs/msg/PlannedTrajectory.h"
+#include "foretrack_msgs/msg/SafetyState.h"
+#include "foretrack_msgs/msg/ServiceHealth.h"
+#include "foretrack_msgs/msg/TargetIntention.h"
+#include "foretrack_msgs/msg/TargetPrediction.h"
+#include "foretrack_msgs/msg/TargetState.h"
+#include "nav_msgs/msg/Odometry.h"
+
+namespace foretrack {
+
+/// How samples of one topic arrive here.
+struct TopicFlow {
+  std::string topic;  // as in services/common/topics.hpp: "target/state"
+  std::string wire;   // as DDS has it: "rt/uav1/target/state"
+  double rate_hz = 0.0;
+  double age_s = -1.0;  // since the last sample; negative: none yet
+  int writers = 0;      // that match our reader
+  std::uint64_t samples = 0;
+  std::uint64_t incompatible_qos = 0;  // writers refused for their quality of service
+  std::vector<std::pair<std::string, std::uint64_t>> rejected;  // by reason
+};
+
+/// A service's last word about itself.
+struct ServiceReport {
+  foretrack_msgs::msg::ServiceHealth health;
+  double age_s = 0.0;          // since it came
+  double clock_ahead_s = 0.0;  // its clock against ours, when it came
+};
+
+/// A null pointer: nothing came. The pointers are valid until the listener's next update.
+struct Picture {
+  std::string vehicle;
+  int domain = 0;
+  double now_s = 0.0;
+  const nav_msgs::msg::Odometry* odometry = nullptr;
+  const nav_msgs::msg::Odometry* vehicle_truth = nullptr;
+  const nav_msgs::msg::Odometry* target_truth = nullptr;
+  const foretrack_msgs::msg::TargetState* target = nullptr;
+  const foretrack_msgs::msg::TargetIntention* intention = nullptr;
+  const foretrack_msgs::msg::TargetPrediction* prediction = nullptr;
+  const foretrack_msgs::msg::PlannedTrajectory* plan = nullptr;
+  const foretrack_msgs::msg::SafetyState* safety = nullptr;
+  std::vector<ServiceReport> services;  // by name
+  std::vector<TopicFlow> flows;
+  std::vector<std::string> foreign;  // endpoints that can never match, one sentence each
+
+  const TopicFlow* flow(std::string_view topic) const {
+    for (const auto& f : flows)
+      if (f.topic == topic) return &f;
+    return nullptr;
+  }
+  const ServiceReport* service(std::string_view name) const {
+    for (const auto& s : services)
+      if (name == s.health.service().c_str()) return &s;
+    return nullptr;
+  }
+};
+
+/// Horizontal distance between vehicle and target (truth if it is there, else the estimate);
+/// negative: not known.
+double distance_m(const Picture& picture);
+/// Horizontal, of the vehicle; negative: not known.
+double speed_mps(const Picture& picture);
+
+}  // namespace foretrack

@@ -1,0 +1,80 @@
+#include "services/ground_station/words.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace foretrack {
+namespace {
+
+template <std::size_t N>
+std::string_view word(const std::array<std::string_view, N>& words, std::uint8_t index) {
+  return index < N ? words[index] : "unknown";
+}
+
+}  // namespace
+
+std::string_view track_word(std::uint8_t status) {
+  static constexpr std::array<std::string_view, 4> kWords = {"never seen", "tracking", "coasting",
+                                                             "lost"};
+  return word(kWords, status);
+}
+
+std::string_view prediction_word(std::uint8_t status) {
+  static constexpr std::array<std::string_view, 4> kWords = {"ok", "no target", "target blocked",
+                                                             "search exhausted"};
+  return word(kWords, status);
+}
+
+std::string_view plan_word(std::uint8_t status) {
+  static constexpr std::array<std::string_view, 5> kWords = {"none", "fresh", "kept", "search",
+                                                             "hold"};
+  return word(kWords, status);
+}
+
+std::string_view mode_word(std::uint8_t mode) {
+  static constexpr std::array<std::string_view, 5> kWords = {"track", "coast", "hover", "brake",
+                                                             "silent"};
+  return word(kWords, mode);
+}
+
+std::string_view service_word(std::uint8_t state) {
+  static constexpr std::array<std::string_view, 4> kWords = {"starting", "running", "degraded",
+                                                             "stopping"};
+  return word(kWords, state);
+}
+
+std::string_view explain_plan(std::uint8_t reason) {
+  static constexpr std::array<std::string_view, 14> kSentences = {
+      "all is well",
+      "no person has been seen yet",
+      "the person was lost",
+      "an input is too old",
+      "the vehicle itself is too near an obstacle, or in space that was never seen",
+      "the person seems to stand inside an obstacle",
+      "there is no free way to a place from which the person is visible",
+      "the free space along the way is too tight",
+      "the optimiser did not converge",
+      "the trajectory broke the vehicle's limits",
+      "the trajectory came too near an obstacle",
+      "the trajectory did not continue the one that is flown",
+      "the trajectory's stop would not be safe",
+      "the trajectory came too near the person"};
+  return word(kSentences, reason);
+}
+
+std::string_view explain_gate(std::uint8_t reason) {
+  static constexpr std::array<std::string_view, 10> kSentences = {
+      "all is well",
+      "no plan has come yet",
+      "plans have ceased to come",
+      "the last plan has come to its end",
+      "the planner itself asks to stand still",
+      "the vehicle is far from where it was told to be",
+      "the vehicle's state has ceased to come",
+      "nothing is heard from the autopilot",
+      "the autopilot is not in offboard mode",
+      "an operator's order"};
+  return word(kSentences, reason);
+}
+
+}  // namespace foretrack
