@@ -10,7 +10,7 @@ constexpr double kHeadingSpeed_m_s = 0.15;  // slower than this, the path has no
 constexpr double kSwingSpeed_m_s = 1.0;     // full swing of the limbs from this speed on
 
 bool wants_to_stand(const PersonParams& params, double now_s) {
-  return std::any_of(params.stops.begin(), params.stops.end(), [&](const Stop& stop) {
+  return std::any_of(params.stops.begin(), params.stops.end(), [&](const StandStill& stop) {
     return now_s >= stop.at_s && now_s < stop.at_s + stop.for_s;
   });
 }

@@ -10,7 +10,7 @@
 namespace foretrack {
 
 /// The person stops at at_s and stands for for_s. A stop that falls into a corner begins after it.
-struct Stop {
+struct StandStill {
   double at_s = 0.0;
   double for_s = 1.0;
 };
@@ -21,7 +21,7 @@ struct PersonParams {
   double shoulder_lead_s = 0.3;    // the chest points where the walk will be heading then
   double yaw_rate_rad_s = 5.0;     // greatest of the chest
   double start_s = 1.5;            // stands before setting off
-  std::vector<Stop> stops;
+  std::vector<StandStill> stops;
 };
 
 /// Truth. The position is that of the torso's centre.

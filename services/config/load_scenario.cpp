@@ -91,7 +91,7 @@ void read_target(YamlReader& r, TargetSpec& target, std::optional<TrackSource>& 
   r.number("shoulder_lead_s", person.shoulder_lead_s, 0.0, 2.0);
   r.number("start_s", person.start_s, 0.0, 600.0);
   r.list("stops", [&](YamlReader& item) {
-    Stop stop;
+    StandStill stop;
     item.number("at_s", stop.at_s, 0.0, 1e5);
     item.number("for_s", stop.for_s, 0.0, 1e5);
     person.stops.push_back(stop);
