@@ -19,8 +19,7 @@ constexpr double kMapResolution_m = 0.15;
 // part, and the shoulders' angle.
 class Tracker {
  public:
-  explicit Tracker(std::uint64_t seed)
-      : random_(seed), slow_sigma_m_(random_.uniform(0.03, 0.08)) {
+  explicit Tracker(std::uint64_t seed) : random_(seed), slow_sigma_m_(random_.uniform(0.03, 0.08)) {
     slow_m_ = slow_sigma_m_ * Vec2(random_.normal(), random_.normal());
   }
 
@@ -116,8 +115,9 @@ Episode simulate_walk(const SimulatedWalk& walk) {
   const World world = world_at_torso_height(walk);
   episode.map = known_map(world, kMapResolution_m);
   Random random(walk.seed);
-  Person person = make_person(person_params(walk, random),
-                              walk_along(route_of(walk, world), {.speed_m_s = walk.speed_m_s}), 0.0);
+  Person person =
+      make_person(person_params(walk, random),
+                  walk_along(route_of(walk, world), {.speed_m_s = walk.speed_m_s}), 0.0);
   Tracker tracker(walk.seed);
   const int count = static_cast<int>(walk.duration_s / kTruthStep_s);
   for (int i = 0; i < count; ++i) {

@@ -51,8 +51,7 @@ void write_source(std::ostream& out, const std::vector<Fit>& fits) {
   out << "// Written by bench/prediction/fit_intention; do not edit.\n"
          "#include \"core/prediction/calibrate.hpp\"\n\nnamespace foretrack {\nnamespace {\n\n";
   for (const Fit& f : fits) {
-    out << "// Fitted on " << f.fitted_on << ".\nconstexpr CalibrationWeights " << f.name
-        << "{\n";
+    out << "// Fitted on " << f.fitted_on << ".\nconstexpr CalibrationWeights " << f.name << "{\n";
     write_row(out, "turn", f.weights.turn);
     write_row(out, "decelerate", f.weights.decelerate);
     out << "};\n\n";

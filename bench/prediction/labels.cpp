@@ -35,7 +35,8 @@ Intention side_of(double turn_rad) {
 
 std::optional<Intention> label_at(const std::vector<TruthSample>& truth, int i) {
   if (!is_known(truth, i, kSecond)) return std::nullopt;
-  if (const int j = turn_after(truth, i); j >= 0) return side_of(heading_change(truth[i], truth[j]));
+  if (const int j = turn_after(truth, i); j >= 0)
+    return side_of(heading_change(truth[i], truth[j]));
   double slowest_m_s = truth[i].speed_m_s();
   for (int j = i; j <= i + kSecond; ++j) slowest_m_s = std::min(slowest_m_s, truth[j].speed_m_s());
   return slowest_m_s < 0.5 * truth[i].speed_m_s() ? Intention::kDecelerate : Intention::kForward;

@@ -21,8 +21,7 @@ std::vector<Window> windows_of(const Episode& episode, const PredictionParams& p
     const Surroundings surroundings = observe_surroundings(map, motion, params);
     IntentionAssessment assessment;
     assess_intention(motion, surroundings, params, assessment);
-    windows.push_back(
-        {intention_features(motion, surroundings, assessment, !map.empty()), *label});
+    windows.push_back({intention_features(motion, surroundings, assessment, !map.empty()), *label});
   }
   return windows;
 }
