@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "services/config/share.hpp"
+#include "services/share/share.hpp"
 #include "services/config/yaml_reader.hpp"
 
 namespace foretrack {

@@ -1,0 +1,102 @@
+// The DDS halves of Node, its endpoints and Stop. Only .cpp files of this folder include it.
+#pragma once
+
+#include <fastdds/dds/core/condition/GuardCondition.hpp>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "services/common/endpoint.hpp"
+#include "services/common/node.hpp"
+#include "services/common/stop.hpp"
+
+namespace foretrack {
+
+namespace dds = eprosima::fastdds::dds;
+using eprosima::fastrtps::types::ReturnCode_t;
+
+struct Stop::Dds {
+  dds::GuardCondition condition;
+};
+
+/// Compares every endpoint that discovery tells of with our own types; DDS is silent when the type
+/// name or the key kind differs.
+class DiscoveryWatch : public dds::DomainParticipantListener {
+ public:
+  explicit DiscoveryWatch(Node& node) : node_(node) {}
+
+  /// From now on, this is what we expect on the topic. Also judges what was seen before.
+  void expect(const std::string& topic, const TypeOps& ops);
+  std::vector<ForeignEndpoint> foreign() const;
+
+  void on_publisher_discovery(dds::DomainParticipant*,
+                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+  void on_subscriber_discovery(dds::DomainParticipant*,
+                               eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
+
+ private:
+  using Guid = eprosima::fastrtps::rtps::GUID_t;
+  struct Expected {
+    std::string type;
+    bool keyed;
+  };
+  void see(const Guid& guid, ForeignEndpoint seen);
+  void judge(ForeignEndpoint& seen);
+
+  Node& node_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Expected> expected_;
+  std::map<Guid, ForeignEndpoint> seen_;  // bounded
+};
+
+struct Node::Dds {
+  explicit Dds(Node& node) : watch(node) {}
+
+  dds::Topic* topic(const std::string& name, const TypeOps& ops);
+
+  DiscoveryWatch watch;
+  dds::DomainParticipant* participant = nullptr;
+  dds::Publisher* publisher = nullptr;
+  dds::Subscriber* subscriber = nullptr;
+  std::map<std::string, dds::Topic*> topics;
+  dds::DataWriter* ros_discovery = nullptr;
+  mutable std::mutex error_mutex;
+  std::string last_error;
+};
+
+struct WriterCore::Dds : dds::DataWriterListener {
+  Dds(Node& owner, EndpointStats& counts) : node(owner), stats(counts) {}
+  void on_publication_matched(dds::DataWriter*, const dds::PublicationMatchedStatus& s) override;
+  void on_offered_incompatible_qos(dds::DataWriter*,
+                                   const dds::OfferedIncompatibleQosStatus& s) override;
+
+  Node& node;
+  EndpointStats& stats;
+  dds::DataWriter* writer = nullptr;
+};
+
+struct ReaderCore::Dds : dds::DataReaderListener {
+  Dds(Node& owner, EndpointStats& counts) : node(owner), stats(counts) {}
+  void on_subscription_matched(dds::DataReader*, const dds::SubscriptionMatchedStatus& s) override;
+  void on_requested_incompatible_qos(dds::DataReader*,
+                                     const dds::RequestedIncompatibleQosStatus& s) override;
+  void on_sample_lost(dds::DataReader*, const dds::SampleLostStatus& s) override;
+
+  Node& node;
+  EndpointStats& stats;
+  dds::DataReader* reader = nullptr;
+};
+
+/// "RELIABILITY", for a message to an operator.
+std::string policy_name(dds::QosPolicyId_t id);
+
+}  // namespace foretrack

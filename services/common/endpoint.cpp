@@ -1,0 +1,133 @@
+#include "services/common/endpoint.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "services/common/cdr_type.hpp"
+#include "services/common/dds_impl.hpp"
+
+namespace foretrack {
+
+void EndpointStats::accept() {
+  ++samples;
+  last = std::chrono::steady_clock::now();
+}
+
+void EndpointStats::reject(std::string_view reason) {
+  for (auto& [known, count] : rejected)
+    if (known == reason) {
+      ++count;
+      return;
+    }
+  rejected.emplace_back(reason, 1);
+}
+
+std::uint64_t EndpointStats::rejected_for(std::string_view reason) const {
+  for (const auto& [known, count] : rejected)
+    if (known == reason) return count;
+  return 0;
+}
+
+double EndpointStats::age_s() const {
+  if (samples == 0) return -1.0;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - last).count();
+}
+
+namespace {
+
+[[noreturn]] void no_profile(const TopicInfo& info) {
+  throw std::runtime_error("qos/profiles.xml has no usable profile '" + std::string(info.profile) +
+                           "' for topic " + std::string(info.name));
+}
+
+}  // namespace
+
+WriterCore::WriterCore(Node& node, const TopicInfo& info, const TypeOps& ops)
+    : dds(std::make_unique<Dds>(node, stats)) {
+  stats.topic = topic_name(info, node.options().names);
+  stats.profile = info.profile;
+  stats.writes = true;
+  auto& of_node = node.dds();
+  dds::DataWriterQos qos;
+  if (of_node.publisher->get_datawriter_qos_from_profile(info.profile, qos) !=
+      ReturnCode_t::RETCODE_OK)
+    no_profile(info);
+  const auto mask = dds::StatusMask::publication_matched()
+                    << dds::StatusMask::offered_incompatible_qos();
+  dds->writer =
+      of_node.publisher->create_datawriter(of_node.topic(stats.topic, ops), qos, dds.get(), mask);
+  if (!dds->writer) no_profile(info);
+}
+
+WriterCore::~WriterCore() = default;
+
+bool WriterCore::write(const void* sample) {
+  if (!dds->writer->write(const_cast<void*>(sample))) {
+    stats.reject("DDS refused the sample");
+    return false;
+  }
+  stats.accept();
+  return true;
+}
+
+ReaderCore::ReaderCore(Node& node, const TopicInfo& info, const TypeOps& ops)
+    : dds(std::make_unique<Dds>(node, stats)) {
+  stats.topic = topic_name(info, node.options().names);
+  stats.profile = info.profile;
+  auto& of_node = node.dds();
+  dds::DataReaderQos qos;
+  if (of_node.subscriber->get_datareader_qos_from_profile(info.profile, qos) !=
+      ReturnCode_t::RETCODE_OK)
+    no_profile(info);
+  const auto mask = dds::StatusMask::subscription_matched()
+                    << dds::StatusMask::requested_incompatible_qos()
+                    << dds::StatusMask::sample_lost();
+  dds->reader =
+      of_node.subscriber->create_datareader(of_node.topic(stats.topic, ops), qos, dds.get(), mask);
+  if (!dds->reader) no_profile(info);
+  dds->reader->get_statuscondition().set_enabled_statuses(dds::StatusMask::data_available());
+}
+
+ReaderCore::~ReaderCore() = default;
+
+bool ReaderCore::take(void* sample) {
+  while (true) {
+    const std::uint64_t malformed_before = malformed_samples();
+    dds::SampleInfo info;
+    const auto result = dds->reader->take_next_sample(sample, &info);
+    const std::uint64_t malformed = malformed_samples() - malformed_before;
+    for (std::uint64_t i = 0; i < malformed; ++i) stats.reject("malformed CDR");
+    if (result == ReturnCode_t::RETCODE_OK && info.valid_data) return true;
+    if (result != ReturnCode_t::RETCODE_OK && malformed == 0) return false;
+  }
+}
+
+void WriterCore::Dds::on_publication_matched(dds::DataWriter*,
+                                             const dds::PublicationMatchedStatus& s) {
+  stats.peers = s.current_count;
+}
+
+void WriterCore::Dds::on_offered_incompatible_qos(dds::DataWriter*,
+                                                  const dds::OfferedIncompatibleQosStatus& s) {
+  stats.incompatible_qos = s.total_count;
+  node.report("a reader of " + stats.topic + " asks for more " + policy_name(s.last_policy_id) +
+              " than profile '" + stats.profile + "' offers; it gets nothing");
+}
+
+void ReaderCore::Dds::on_subscription_matched(dds::DataReader*,
+                                              const dds::SubscriptionMatchedStatus& s) {
+  stats.peers = s.current_count;
+}
+
+void ReaderCore::Dds::on_requested_incompatible_qos(dds::DataReader*,
+                                                    const dds::RequestedIncompatibleQosStatus& s) {
+  stats.incompatible_qos = s.total_count;
+  node.report("a writer of " + stats.topic + " offers less " + policy_name(s.last_policy_id) +
+              " than profile '" + stats.profile + "' asks for; nothing is received from it");
+}
+
+void ReaderCore::Dds::on_sample_lost(dds::DataReader*, const dds::SampleLostStatus& s) {
+  stats.lost = s.total_count;
+}
+
+}  // namespace foretrack

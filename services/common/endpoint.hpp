@@ -1,0 +1,64 @@
+// What a writer or reader knows of itself, and the untyped half of both.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "services/common/names.hpp"
+#include "services/common/type_ops.hpp"
+
+namespace foretrack {
+
+class Node;
+
+/// Written by the service's thread, but for the atomics, which middleware threads write.
+struct EndpointStats {
+  using Time = std::chrono::steady_clock::time_point;
+
+  std::string topic;
+  const char* profile = "";
+  bool writes = false;
+  std::uint64_t samples = 0;                                    // written, or accepted
+  Time last{};                                                  // of the last sample
+  std::vector<std::pair<std::string, std::uint64_t>> rejected;  // by reason
+  std::atomic<int> peers = 0;
+  std::atomic<std::uint64_t> incompatible_qos = 0;
+  std::atomic<std::uint64_t> lost = 0;
+
+  void accept();
+  void reject(std::string_view reason);
+  std::uint64_t rejected_for(std::string_view reason) const;
+  double age_s() const;  // since the last sample; −1: none yet
+};
+
+/// The untyped halves. They live in the node, which takes them down in order.
+class WriterCore {
+ public:
+  struct Dds;
+  WriterCore(Node& node, const TopicInfo& info, const TypeOps& ops);
+  ~WriterCore();
+  bool write(const void* sample);
+
+  EndpointStats stats;
+  std::unique_ptr<Dds> dds;
+};
+
+class ReaderCore {
+ public:
+  struct Dds;
+  ReaderCore(Node& node, const TopicInfo& info, const TypeOps& ops);
+  ~ReaderCore();
+  /// False: nothing is left. Malformed samples are counted and skipped.
+  bool take(void* sample);
+
+  EndpointStats stats;
+  std::unique_ptr<Dds> dds;
+};
+
+}  // namespace foretrack

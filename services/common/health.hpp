@@ -1,0 +1,40 @@
+// ServiceHealth once a second, and the same as a ROS 2 diagnostic.
+#pragma once
+
+#include <vector>
+
+#include "diagnostic_msgs/msg/DiagnosticArray.h"
+#include "foretrack_msgs/msg/ServiceHealth.h"
+#include "services/common/loop.hpp"
+#include "services/common/process_stats.hpp"
+#include "services/common/topics.hpp"
+#include "services/common/writer.hpp"
+
+namespace foretrack {
+
+class Health {
+ public:
+  explicit Health(Node& node);
+
+  /// Degraded until the reason is empty again: an input is missing or bad.
+  void set_degraded(const std::string& reason);
+  /// Call it once a second.
+  void publish(LoopStats loop, bool stopping);
+
+ private:
+  void fill(LoopStats loop, bool stopping, double elapsed_s);
+  foretrack_msgs::msg::TopicCount count_of(const EndpointStats& stats, double elapsed_s);
+  void publish_diagnostic();
+
+  Node& node_;
+  Writer<topics::ServiceHealth> health_;
+  Writer<topics::Diagnostics> diagnostics_;
+  CpuMeter cpu_;
+  std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point last_;
+  std::string degraded_;
+  std::vector<std::uint64_t> counted_;  // samples of each endpoint at the last call
+  std::size_t next_ = 0;
+};
+
+}  // namespace foretrack

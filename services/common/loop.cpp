@@ -1,0 +1,95 @@
+#include "services/common/loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <stdexcept>
+
+#include "services/common/dds_impl.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kLongestWait_s = 1.0;
+
+double steady_now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void add_timer_check(double period_s) {
+  if (!(period_s > 0.0))
+    throw std::invalid_argument("timer period " + std::to_string(period_s) + " s: > 0 expected");
+}
+
+}  // namespace
+
+void Loop::every(double period_s, std::function<void()> callback) {
+  add_timer_check(period_s);
+  timers_.push_back({period_s, -1.0, false, std::move(callback)});
+}
+
+void Loop::every_wall(double period_s, std::function<void()> callback) {
+  add_timer_check(period_s);
+  timers_.push_back({period_s, -1.0, true, std::move(callback)});
+}
+
+void Loop::guarded(const std::function<void()>& callback) try {
+  callback();
+} catch (const std::exception& error) {
+  node_.report(std::string("a callback failed: ") + error.what());
+}
+
+void Loop::run_timer(Timer& timer) {
+  const double now = timer.wall ? steady_now_s() : node_.clock().steady_s();
+  const bool jumped_back = timer.next_s > now + 2.0 * timer.period_s;
+  if (timer.next_s < 0.0 || jumped_back) timer.next_s = now;
+  if (now < timer.next_s) return;
+  timer.next_s = std::max(timer.next_s + timer.period_s, now);
+  guarded(timer.callback);
+}
+
+// Simulated timers are woken by clock samples, so only the others bound the wait.
+double Loop::wait_s() const {
+  double wait = kLongestWait_s;
+  const double now = steady_now_s();
+  for (const auto& timer : timers_)
+    if (timer.wall || !node_.clock().simulated()) wait = std::min(wait, timer.next_s - now);
+  return std::max(wait, 0.0);
+}
+
+void Loop::wake_up() {
+  const double start = steady_now_s();
+  node_.clock().update();
+  for (const auto& handler : handlers_) guarded(handler);
+  for (auto& timer : timers_) run_timer(timer);
+  const double ms = 1e3 * (steady_now_s() - start);
+  ++stats_.loops;
+  stats_.total_ms += ms;
+  stats_.max_ms = std::max(stats_.max_ms, ms);
+}
+
+void Loop::run() {
+  node_.announce();
+  dds::WaitSet wait_set;
+  wait_set.attach_condition(stop_.dds().condition);
+  if (auto* clock = node_.clock().reader()) wakers_.push_back(clock);
+  for (auto* reader : wakers_)
+    wait_set.attach_condition(reader->dds->reader->get_statuscondition());
+  while (!stop_.requested()) {
+    wake_up();
+    dds::ConditionSeq active;
+    const double wait = wait_s();
+    const auto whole = static_cast<std::int32_t>(wait);
+    wait_set.wait(active, {whole, static_cast<std::uint32_t>(1e9 * (wait - whole))});
+  }
+  for (auto* reader : wakers_)
+    wait_set.detach_condition(reader->dds->reader->get_statuscondition());
+  wait_set.detach_condition(stop_.dds().condition);
+}
+
+LoopStats Loop::take_stats() {
+  return std::exchange(stats_, LoopStats{});
+}
+
+}  // namespace foretrack

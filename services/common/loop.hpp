@@ -1,0 +1,77 @@
+// One thread, one wait-set: samples and timers call back until the stop.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "services/common/node.hpp"
+#include "services/common/reader.hpp"
+#include "services/common/stop.hpp"
+
+namespace foretrack {
+
+/// Work per wake-up since the last reset.
+struct LoopStats {
+  std::uint64_t loops = 0;
+  double total_ms = 0.0;
+  double max_ms = 0.0;
+};
+
+/// Readers given here wake the loop; others are taken when a callback asks them. Callbacks run in
+/// the order in which they were added. An exception of a callback is reported, and the loop goes
+/// on.
+class Loop {
+ public:
+  Loop(Node& node, Stop& stop) : node_(node), stop_(stop) {}
+
+  /// Calls back with the newest valid sample, once a wake-up.
+  template <class Topic, class Callback>
+  void on_newest(Reader<Topic>& reader, Callback callback) {
+    handlers_.push_back([&reader, callback = std::move(callback)]() mutable {
+      if (const auto* sample = reader.take_newest()) callback(*sample);
+    });
+    wake_on(reader.core());
+  }
+
+  /// Calls back with every valid sample, oldest first.
+  template <class Topic, class Callback>
+  void on_each(Reader<Topic>& reader, Callback callback) {
+    handlers_.push_back(
+        [&reader, callback = std::move(callback)]() mutable { reader.take_each(callback); });
+    wake_on(reader.core());
+  }
+
+  /// Every period by the node's clock: steady, or simulated. A late timer skips, it does not catch
+  /// up. Throws std::invalid_argument if the period is not positive.
+  void every(double period_s, std::function<void()> callback);
+  /// The same by the steady clock, even in simulated time.
+  void every_wall(double period_s, std::function<void()> callback);
+
+  /// Until the stop is requested. Announces the node to ROS 2 first.
+  void run();
+
+  LoopStats take_stats();
+
+ private:
+  struct Timer {
+    double period_s;
+    double next_s;  // < 0: not started yet
+    bool wall;
+    std::function<void()> callback;
+  };
+  void wake_on(ReaderCore& reader) { wakers_.push_back(&reader); }
+  void guarded(const std::function<void()>& callback);
+  void wake_up();
+  void run_timer(Timer& timer);
+  double wait_s() const;
+
+  Node& node_;
+  Stop& stop_;
+  std::vector<std::function<void()>> handlers_;
+  std::vector<ReaderCore*> wakers_;
+  std::vector<Timer> timers_;
+  LoopStats stats_;
+};
+
+}  // namespace foretrack

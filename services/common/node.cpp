@@ -1,0 +1,133 @@
+#include "services/common/node.hpp"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <condition_variable>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "services/common/cdr_type.hpp"
+#include "services/common/dds_impl.hpp"
+#include "services/share/share.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kCleanupLimit_s = 2.0;
+
+template <class Pointer>
+Pointer not_null(Pointer pointer, const std::string& what) {
+  if (!pointer) throw std::runtime_error("DDS refuses to create " + what);
+  return pointer;
+}
+
+// Once a process: the middleware keeps the profiles of all its participants in one place.
+void load_qos_profiles() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    const std::string path = find_share("qos/profiles.xml");
+    auto* factory = dds::DomainParticipantFactory::get_instance();
+    if (factory->load_XML_profiles_file(path) != ReturnCode_t::RETCODE_OK)
+      throw std::runtime_error("QoS profiles " + path + " cannot be read");
+  });
+}
+
+dds::DomainParticipantQos participant_qos(const NodeOptions& options) {
+  load_qos_profiles();
+  dds::DomainParticipantQos qos;
+  auto* factory = dds::DomainParticipantFactory::get_instance();
+  if (factory->get_participant_qos_from_profile("foretrack", qos) != ReturnCode_t::RETCODE_OK)
+    throw std::runtime_error("qos/profiles.xml has no participant profile 'foretrack'");
+  qos.name((options.names.vehicle + '/' + options.service).c_str());
+  return qos;
+}
+
+void take_down(Node::Dds& node) {
+  if (!node.participant) return;
+  node.participant->set_listener(nullptr);
+  node.participant->delete_contained_entities();
+  dds::DomainParticipantFactory::get_instance()->delete_participant(node.participant);
+  node.participant = nullptr;
+}
+
+}  // namespace
+
+Node::Node(const NodeOptions& options) : options_(options), dds_(std::make_unique<Dds>(*this)) {
+  validate_or_throw(options_.names);
+  auto* factory = dds::DomainParticipantFactory::get_instance();
+  dds_->participant =
+      not_null(factory->create_participant(options_.domain_id, participant_qos(options_),
+                                           &dds_->watch, dds::StatusMask::none()),
+               "a participant in domain " + std::to_string(options_.domain_id));
+  dds_->publisher =
+      not_null(dds_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
+  dds_->subscriber =
+      not_null(dds_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "a subscriber");
+  clock_ = std::make_unique<Clock>(*this, options_.use_sim_time);
+}
+
+Node::~Node() {
+  run_bounded(kCleanupLimit_s, [this] { take_down(*dds_); });
+}
+
+dds::Topic* Node::Dds::topic(const std::string& name, const TypeOps& ops) {
+  if (const auto it = topics.find(name); it != topics.end()) return it->second;
+  dds::TypeSupport type(new CdrType(ops));
+  if (type.register_type(participant) != ReturnCode_t::RETCODE_OK)
+    throw std::runtime_error(std::string("DDS refuses type ") + ops.name);
+  auto* topic = participant->create_topic(name, ops.name, dds::TOPIC_QOS_DEFAULT);
+  topics[name] = not_null(topic, "topic " + name);
+  watch.expect(name, ops);
+  return topic;
+}
+
+WriterCore& Node::add_writer(const TopicInfo& info, const TypeOps& ops) {
+  writers_.push_back(std::make_unique<WriterCore>(*this, info, ops));
+  return *writers_.back();
+}
+
+ReaderCore& Node::add_reader(const TopicInfo& info, const TypeOps& ops) {
+  readers_.push_back(std::make_unique<ReaderCore>(*this, info, ops));
+  return *readers_.back();
+}
+
+void Node::report(const std::string& text) {
+  spdlog::warn("{}: {}", options_.service, text);
+  const std::lock_guard lock(dds_->error_mutex);
+  dds_->last_error = text;
+}
+
+std::string Node::last_error() const {
+  const std::lock_guard lock(dds_->error_mutex);
+  return dds_->last_error;
+}
+
+std::vector<ForeignEndpoint> Node::foreign_endpoints() const {
+  return dds_->watch.foreign();
+}
+
+void run_bounded(double limit_s, const std::function<void()>& cleanup) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool done = false;
+  std::thread watchdog([&] {
+    std::unique_lock lock(mutex);
+    if (changed.wait_for(lock, std::chrono::duration<double>(limit_s), [&] { return done; }))
+      return;
+    spdlog::error("clean-up of DDS took more than {} s: leaving at once", limit_s);
+    spdlog::default_logger()->flush();
+    _exit(kCleanupFailed);
+  });
+  cleanup();
+  {
+    const std::lock_guard lock(mutex);
+    done = true;
+  }
+  changed.notify_one();
+  watchdog.join();
+}
+
+}  // namespace foretrack

@@ -1,0 +1,74 @@
+// A service on the bus: one DDS participant, its topics, and what went wrong with its peers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/common/clock.hpp"
+#include "services/common/endpoint.hpp"
+#include "services/common/names.hpp"
+
+namespace foretrack {
+
+/// A remote endpoint on one of our topics that can never match, which DDS itself does not report.
+struct ForeignEndpoint {
+  std::string topic;
+  std::string type;
+  bool keyed = false;
+  bool writes = false;
+  std::string why;
+};
+
+struct NodeOptions {
+  std::string service;
+  Names names;
+  int domain_id = 0;
+  bool use_sim_time = false;
+};
+
+/// Not thread-safe but for report(): one service, one thread. Writers and readers are its own, and
+/// go with it. Clean-up is bounded: after 2 s the process is left at once.
+class Node {
+ public:
+  /// Throws std::runtime_error if DDS refuses, std::invalid_argument on bad names.
+  explicit Node(const NodeOptions& options);
+  ~Node();
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+
+  const NodeOptions& options() const { return options_; }
+  Clock& clock() { return *clock_; }
+
+  /// Tells ROS 2's tools which endpoints this node has. Cheap; again after new endpoints.
+  void announce();
+
+  WriterCore& add_writer(const TopicInfo& info, const TypeOps& ops);
+  ReaderCore& add_reader(const TopicInfo& info, const TypeOps& ops);
+  const std::vector<std::unique_ptr<WriterCore>>& writers() const { return writers_; }
+  const std::vector<std::unique_ptr<ReaderCore>>& readers() const { return readers_; }
+
+  /// Logs the text and keeps it as the last error. From any thread.
+  void report(const std::string& text);
+  std::string last_error() const;
+  std::vector<ForeignEndpoint> foreign_endpoints() const;
+
+  struct Dds;
+  Dds& dds() { return *dds_; }
+
+ private:
+  NodeOptions options_;
+  std::unique_ptr<Dds> dds_;
+  std::vector<std::unique_ptr<WriterCore>> writers_;
+  std::vector<std::unique_ptr<ReaderCore>> readers_;
+  std::unique_ptr<Clock> clock_;
+};
+
+/// Runs the clean-up; if it takes longer than the limit, logs and leaves the process with
+/// kCleanupFailed, without destructors.
+inline constexpr int kCleanupFailed = 70;
+void run_bounded(double limit_s, const std::function<void()>& cleanup);
+
+}  // namespace foretrack

@@ -1,0 +1,60 @@
+#include "services/common/options.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <fastdds/dds/log/Log.hpp>
+
+namespace foretrack {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+
+constexpr int kHighestDomain = 232;  // the ports of higher ones do not exist
+
+struct LogOfDds : dds::LogConsumer {
+  void Consume(const dds::Log::Entry& entry) override {
+    const auto level =
+        entry.kind == dds::Log::Kind::Error ? spdlog::level::warn : spdlog::level::debug;
+    spdlog::log(level, "DDS {}: {}", entry.context.category ? entry.context.category : "",
+                entry.message);
+  }
+};
+
+}  // namespace
+
+void add_options(CLI::App& app, ServiceOptions& options) {
+  auto& names = options.names;
+  app.add_option("--vehicle", names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
+      ->capture_default_str();
+  app.add_option("--domain", options.domain_id, "DDS domain")
+      ->envname("ROS_DOMAIN_ID")
+      ->check(CLI::Range(0, kHighestDomain))
+      ->capture_default_str();
+  app.add_option("--params", options.params_file, "Parameter file (YAML)")
+      ->check(CLI::ExistingFile);
+  app.add_flag("--print-params", options.print_params, "Print all parameters and leave");
+  app.add_flag("--use-sim-time", options.use_sim_time, "Take the time from the clock topic");
+  app.add_option("--clock-topic", names.clock_topic, "Clock topic")->capture_default_str();
+  app.add_option("--px4-namespace", names.px4_namespace, "px4_<n> if PX4 has a namespace");
+  app.add_option("--px4-status-version", names.px4_vehicle_status_version,
+                 "Version of vehicle_status; 0 for PX4 1.15")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
+  app.add_option("--log-level", options.log_level, "debug, info, warning, error or off")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+}
+
+void set_up_logging(const std::string& level) {
+  auto logger = spdlog::get("foretrack");
+  if (!logger) logger = spdlog::stderr_color_mt("foretrack");
+  logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  logger->set_level(spdlog::level::from_str(level));
+  spdlog::set_default_logger(logger);
+  dds::Log::ClearConsumers();
+  dds::Log::RegisterConsumer(std::make_unique<LogOfDds>());
+}
+
+}  // namespace foretrack

@@ -1,0 +1,30 @@
+// The arguments that every service has.
+#pragma once
+
+#include <string>
+
+#include "services/common/names.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace foretrack {
+
+struct ServiceOptions {
+  Names names;
+  int domain_id = 0;
+  bool use_sim_time = false;
+  std::string params_file;    // empty: defaults
+  bool print_params = false;  // print the parameters as a file and leave
+  std::string log_level = "info";
+};
+
+/// --vehicle --domain --params --print-params --use-sim-time --clock-topic --px4-namespace
+/// --px4-status-version --log-level. The domain's default is $ROS_DOMAIN_ID.
+void add_options(CLI::App& app, ServiceOptions& options);
+
+/// Log lines to standard error, those of DDS among them. Call it once, after parsing.
+void set_up_logging(const std::string& level);
+
+}  // namespace foretrack

@@ -1,0 +1,30 @@
+#include "services/common/service.hpp"
+
+#include <spdlog/spdlog.h>
+
+namespace foretrack {
+namespace {
+
+constexpr double kHealthPeriod_s = 1.0;
+
+NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
+  return {name, options.names, options.domain_id, options.use_sim_time};
+}
+
+}  // namespace
+
+Service::Service(const std::string& name, const ServiceOptions& options, Stop& stop)
+    : node_(node_options(name, options)), loop_(node_, stop), health_(node_) {
+  loop_.every_wall(kHealthPeriod_s, [this] { health_.publish(loop_.take_stats(), false); });
+}
+
+void Service::run() {
+  const auto& options = node_.options();
+  spdlog::info("{}: runs for {} in domain {}", options.service, options.names.vehicle,
+               options.domain_id);
+  loop_.run();
+  health_.publish(loop_.take_stats(), true);
+  spdlog::info("{}: stopped", options.service);
+}
+
+}  // namespace foretrack

@@ -1,0 +1,159 @@
+// Every topic: its type, its name and its quality of service. Nobody else spells a topic string.
+#pragma once
+
+#include <string_view>
+#include <tuple>
+
+#include "services/common/names.hpp"
+#include "type_name.hpp"
+
+namespace foretrack::topics {
+
+// camera and vehicle
+struct TargetObservation {
+  using Type = foretrack_msgs::msg::TargetObservation;
+  static constexpr TopicInfo info{"target/observation", Scope::kVehicle, "sensor"};
+};
+struct DepthImage {
+  using Type = sensor_msgs::msg::Image;
+  static constexpr TopicInfo info{"camera/depth/image", Scope::kVehicle, "image"};
+};
+struct DepthCameraInfo {
+  using Type = sensor_msgs::msg::CameraInfo;
+  static constexpr TopicInfo info{"camera/depth/camera_info", Scope::kVehicle, "sensor"};
+};
+struct ColorImage {
+  using Type = sensor_msgs::msg::Image;
+  static constexpr TopicInfo info{"camera/color/image", Scope::kVehicle, "image"};
+};
+struct Odometry {
+  using Type = nav_msgs::msg::Odometry;
+  static constexpr TopicInfo info{"odometry", Scope::kVehicle, "state"};
+};
+struct Clock {
+  using Type = rosgraph_msgs::msg::Clock;
+  static constexpr TopicInfo info{"clock", Scope::kClock, "sensor"};
+};
+
+// what the stages say
+struct TargetState {
+  using Type = foretrack_msgs::msg::TargetState;
+  static constexpr TopicInfo info{"target/state", Scope::kVehicle, "state"};
+};
+struct LocalMap {
+  using Type = foretrack_msgs::msg::LocalMap;
+  static constexpr TopicInfo info{"map/local", Scope::kVehicle, "map"};
+};
+struct OctoMap {
+  using Type = octomap_msgs::msg::Octomap;
+  static constexpr TopicInfo info{"map/octomap", Scope::kVehicle, "map"};
+};
+struct MapPoints {
+  using Type = sensor_msgs::msg::PointCloud2;
+  static constexpr TopicInfo info{"map/points", Scope::kVehicle, "map"};
+};
+struct TargetIntention {
+  using Type = foretrack_msgs::msg::TargetIntention;
+  static constexpr TopicInfo info{"target/intention", Scope::kVehicle, "state"};
+};
+struct TargetPrediction {
+  using Type = foretrack_msgs::msg::TargetPrediction;
+  static constexpr TopicInfo info{"target/prediction", Scope::kVehicle, "state"};
+};
+struct PlannedTrajectory {
+  using Type = foretrack_msgs::msg::PlannedTrajectory;
+  static constexpr TopicInfo info{"plan/trajectory", Scope::kVehicle, "state"};
+};
+struct SafetyState {
+  using Type = foretrack_msgs::msg::SafetyState;
+  static constexpr TopicInfo info{"safety/state", Scope::kVehicle, "state"};
+};
+struct MissionCommand {
+  using Type = foretrack_msgs::msg::MissionCommand;
+  static constexpr TopicInfo info{"mission/command", Scope::kVehicle, "command"};
+};
+struct ServiceHealth {
+  using Type = foretrack_msgs::msg::ServiceHealth;
+  static constexpr TopicInfo info{"health", Scope::kVehicle, "state"};
+};
+
+// the same for ROS 2's own tools
+struct PredictionPath {
+  using Type = nav_msgs::msg::Path;
+  static constexpr TopicInfo info{"target/prediction/path", Scope::kVehicle, "state"};
+};
+struct PlanPath {
+  using Type = nav_msgs::msg::Path;
+  static constexpr TopicInfo info{"plan/path", Scope::kVehicle, "state"};
+};
+struct Markers {
+  using Type = visualization_msgs::msg::MarkerArray;
+  static constexpr TopicInfo info{"markers", Scope::kVehicle, "state"};
+};
+struct Transforms {
+  using Type = tf2_msgs::msg::TFMessage;
+  static constexpr TopicInfo info{"tf", Scope::kShared, "state"};
+};
+struct StaticTransforms {
+  using Type = tf2_msgs::msg::TFMessage;
+  static constexpr TopicInfo info{"tf_static", Scope::kShared, "latched"};
+};
+struct Diagnostics {
+  using Type = diagnostic_msgs::msg::DiagnosticArray;
+  static constexpr TopicInfo info{"diagnostics", Scope::kShared, "state"};
+};
+
+// the simulator's truth, for scoring only
+struct TargetTruth {
+  using Type = nav_msgs::msg::Odometry;
+  static constexpr TopicInfo info{"simulator/target", Scope::kVehicle, "state"};
+};
+struct VehicleTruth {
+  using Type = nav_msgs::msg::Odometry;
+  static constexpr TopicInfo info{"simulator/vehicle", Scope::kVehicle, "state"};
+};
+
+// PX4's flight interface
+struct Px4VehicleOdometry {
+  using Type = px4_msgs::msg::VehicleOdometry;
+  static constexpr TopicInfo info{"fmu/out/vehicle_odometry", Scope::kPx4, "sensor"};
+};
+struct Px4VehicleStatus {
+  using Type = px4_msgs::msg::VehicleStatus;
+  static constexpr TopicInfo info{"fmu/out/vehicle_status", Scope::kPx4, "sensor", true};
+};
+struct Px4VehicleLocalPosition {
+  using Type = px4_msgs::msg::VehicleLocalPosition;
+  static constexpr TopicInfo info{"fmu/out/vehicle_local_position", Scope::kPx4, "sensor"};
+};
+struct Px4VehicleControlMode {
+  using Type = px4_msgs::msg::VehicleControlMode;
+  static constexpr TopicInfo info{"fmu/out/vehicle_control_mode", Scope::kPx4, "sensor"};
+};
+struct Px4BatteryStatus {
+  using Type = px4_msgs::msg::BatteryStatus;
+  static constexpr TopicInfo info{"fmu/out/battery_status", Scope::kPx4, "sensor"};
+};
+struct Px4OffboardControlMode {
+  using Type = px4_msgs::msg::OffboardControlMode;
+  static constexpr TopicInfo info{"fmu/in/offboard_control_mode", Scope::kPx4, "state"};
+};
+struct Px4TrajectorySetpoint {
+  using Type = px4_msgs::msg::TrajectorySetpoint;
+  static constexpr TopicInfo info{"fmu/in/trajectory_setpoint", Scope::kPx4, "state"};
+};
+struct Px4VehicleCommand {
+  using Type = px4_msgs::msg::VehicleCommand;
+  static constexpr TopicInfo info{"fmu/in/vehicle_command", Scope::kPx4, "command"};
+};
+
+/// All of them, for the tests and the monitor.
+using All = std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, Odometry, Clock,
+                       TargetState, LocalMap, OctoMap, MapPoints, TargetIntention, TargetPrediction,
+                       PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
+                       PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
+                       TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
+                       Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
+                       Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+
+}  // namespace foretrack::topics

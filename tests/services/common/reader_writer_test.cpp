@@ -1,0 +1,186 @@
+#include <array>
+
+#include "diagnostic_msgs/msg/DiagnosticArray.h"
+#include "foretrack_msgs/msg/MissionCommand.h"
+#include "foretrack_msgs/msg/TargetState.h"
+#include "services/common/reader.hpp"
+#include "services/common/topics.hpp"
+#include "services/common/writer.hpp"
+#include "tests/services/common/bus.hpp"
+#include "tf2_msgs/msg/TFMessage.h"
+
+namespace foretrack::testing {
+namespace {
+
+using foretrack_msgs::msg::TargetState;
+namespace status = foretrack_msgs::msg::TargetState_Constants;
+
+TargetState tracking_at(double x_m) {
+  TargetState state;
+  state.status(status::STATUS_TRACKING);
+  state.position_m() = {x_m, 2.0, 1.0};
+  return state;
+}
+
+// One writer and one reader of target/state, matched.
+struct Pair {
+  Node sender{node_options("sender")};
+  Node receiver{node_options("receiver")};
+  Writer<topics::TargetState> writer{sender};
+  Reader<topics::TargetState> reader{receiver};
+  Pair() {
+    EXPECT_TRUE(eventually([&] { return writer.readers() == 1 && reader.writers() == 1; }));
+  }
+};
+
+TEST(Reader, ReceivesWhatTheWriterWrote) {
+  Pair pair;
+  auto& sample = pair.writer.sample();
+  sample = tracking_at(7.5);
+  sample.header().frame_id("map");
+  sample.covariance()[7] = 0.25;
+  ASSERT_TRUE(pair.writer.write());
+
+  const TargetState* got = nullptr;
+  ASSERT_TRUE(eventually([&] { return (got = pair.reader.take_newest()) != nullptr; }));
+  EXPECT_EQ(got->position_m()[0], 7.5);
+  EXPECT_EQ(got->covariance()[7], 0.25);
+  EXPECT_EQ(got->header().frame_id(), "map");
+  EXPECT_EQ(pair.reader.stats().samples, 1u);
+  EXPECT_GE(pair.reader.age_s(), 0.0);
+}
+
+TEST(Reader, TakesTheNewestAndForgetsTheRest) {
+  Pair pair;
+  for (int i = 1; i <= 4; ++i) pair.writer.write(tracking_at(i));
+  double newest = 0.0;
+  ASSERT_TRUE(eventually([&] {
+    if (const auto* got = pair.reader.take_newest()) newest = got->position_m()[0];
+    return newest == 4.0;
+  }));
+  EXPECT_EQ(pair.reader.take_newest(), nullptr);
+  ASSERT_NE(pair.reader.newest(), nullptr);
+  EXPECT_EQ(pair.reader.newest()->position_m()[0], 4.0);
+}
+
+TEST(Reader, GivesEachSampleInOrderWhenAsked) {
+  Pair pair;
+  for (int i = 1; i <= 4; ++i) pair.writer.write(tracking_at(i));
+  std::vector<double> seen;
+  ASSERT_TRUE(eventually([&] {
+    pair.reader.take_each([&](const TargetState& s) { seen.push_back(s.position_m()[0]); });
+    return seen.size() == 4;
+  }));
+  EXPECT_EQ(seen, (std::vector<double>{1, 2, 3, 4}));
+}
+
+TEST(Reader, KeepsAtMostItsDepthWhenNobodyTakes) {
+  Pair pair;
+  for (int i = 1; i <= 100; ++i) pair.writer.write(tracking_at(i));
+  int taken = 0;
+  double newest = 0.0;
+  ASSERT_TRUE(eventually([&] {
+    pair.reader.take_each([&](const TargetState& s) {
+      ++taken;
+      newest = s.position_m()[0];
+    });
+    return newest == 100.0;
+  }));
+  EXPECT_LE(taken, 40);
+}
+
+TEST(Reader, RejectsBadSamplesAndCountsThemByReason) {
+  Pair pair;
+  pair.writer.write(tracking_at(std::nan("")));
+  auto bad_status = tracking_at(1.0);
+  bad_status.status(9);
+  pair.writer.write(bad_status);
+  auto future = tracking_at(1.0);
+  future.header().stamp(to_stamp(pair.sender.clock().now_s() + 60.0));
+  pair.writer.write(future);
+  pair.writer.write(tracking_at(3.0));
+
+  std::vector<double> seen;
+  ASSERT_TRUE(eventually([&] {
+    pair.reader.take_each([&](const TargetState& s) { seen.push_back(s.position_m()[0]); });
+    return !seen.empty();
+  }));
+  EXPECT_EQ(seen, std::vector<double>{3.0});
+  const auto& stats = pair.reader.stats();
+  EXPECT_EQ(stats.rejected_for("a number is out of range"), 1u);
+  EXPECT_EQ(stats.rejected_for("a code is not one of its values"), 1u);
+  EXPECT_EQ(stats.rejected_for("the stamp is in the future"), 1u);
+}
+
+TEST(Reader, AsksTheServiceToo) {
+  Node sender(node_options("sender"));
+  Node receiver(node_options("receiver"));
+  Writer<topics::MissionCommand> writer(sender);
+  Reader<topics::MissionCommand> reader(receiver, [](const auto& m) -> const char* {
+    return m.lease_id() == "mine" ? nullptr : "not the lease holder";
+  });
+  ASSERT_TRUE(eventually([&] { return writer.readers() == 1 && reader.writers() == 1; }));
+  writer.sample().lease_id("theirs");
+  writer.write();
+  writer.sample().lease_id("mine");
+  writer.write();
+  ASSERT_TRUE(eventually([&] { return reader.take_newest() != nullptr; }));
+  EXPECT_EQ(reader.stats().rejected_for("not the lease holder"), 1u);
+  EXPECT_EQ(reader.stats().samples, 1u);
+}
+
+TEST(Reader, SurvivesMalformedBytesAndCountsThem) {
+  Node receiver(node_options("receiver"));
+  Reader<topics::TargetState> reader(receiver);
+  RawPeer peer("rt/uav1/target/state", "foretrack_msgs::msg::dds_::TargetState_");
+  auto* writer = peer.add_writer();
+  ASSERT_TRUE(eventually([&] { return reader.writers() == 1; }));
+
+  RawType::Bytes bad_header = {0xFF, 0xFF, 0xFF, 0xFF, 1, 2, 3, 4};
+  RawType::Bytes too_short = {0x00, 0x01, 0x00, 0x00, 1, 2};
+  RawType::Bytes long_string = {0x00, 0x01, 0x00, 0x00, 0,    0,    0,    0,
+                                0,    0,    0,    0,    0xFF, 0xFF, 0xFF, 0x7F};
+  RawType::Bytes empty;
+  for (auto* bytes : {&bad_header, &too_short, &long_string}) writer->write(bytes);
+  ASSERT_TRUE(eventually([&] {
+    EXPECT_EQ(reader.take_newest(), nullptr);
+    return reader.stats().rejected_for("malformed CDR") == 3;
+  }));
+
+  // The same reader still hears a good writer.
+  Node sender(node_options("sender"));
+  Writer<topics::TargetState> good(sender);
+  ASSERT_TRUE(eventually([&] { return good.readers() == 1 && reader.writers() == 2; }));
+  good.write(tracking_at(5.0));
+  EXPECT_TRUE(eventually([&] { return reader.take_newest() != nullptr; }));
+}
+
+TEST(Reader, GetsTheLastMapThoughItJoinsLate) {
+  Node sender(node_options("sender"));
+  Writer<topics::StaticTransforms> writer(sender);
+  writer.sample().transforms().resize(1);
+  writer.sample().transforms()[0].child_frame_id("uav1/base_link");
+  ASSERT_TRUE(writer.write());
+  Node receiver(node_options("late"));
+  Reader<topics::StaticTransforms> reader(receiver);
+  const tf2_msgs::msg::TFMessage* got = nullptr;
+  ASSERT_TRUE(eventually([&] { return (got = reader.take_newest()) != nullptr; }));
+  EXPECT_EQ(got->transforms()[0].child_frame_id(), "uav1/base_link");
+}
+
+TEST(Writer, KeepsVehiclesApart) {
+  auto other = node_options("sender");
+  other.names.vehicle = "uav2";
+  Node sender(other);
+  Node receiver(node_options("receiver"));
+  Writer<topics::TargetState> for_uav2(sender);
+  Reader<topics::TargetState> of_uav1(receiver);
+  // The shared topic shows that both nodes know each other.
+  Writer<topics::Diagnostics> shared_out(sender);
+  Reader<topics::Diagnostics> shared_in(receiver);
+  ASSERT_TRUE(eventually([&] { return shared_out.readers() == 1; }));
+  EXPECT_EQ(for_uav2.readers(), 0);
+}
+
+}  // namespace
+}  // namespace foretrack::testing
