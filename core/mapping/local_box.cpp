@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapping/octree_cells.hpp"
+
 namespace foretrack {
 namespace {
 
 using Vec3i = Eigen::Vector3i;
 
-constexpr int kTreeCentre = 32768;  // the octree's key of index 0
 constexpr double kStep = 0.05;
 
 std::uint8_t class_of(std::int8_t log_odds) {
   if (log_odds == kUnknownLogOdds) return static_cast<std::uint8_t>(Cell::kUnknown);
   return static_cast<std::uint8_t>(log_odds >= 0 ? Cell::kOccupied : Cell::kFree);
-}
-
-octomap::OcTreeKey key_of(const Vec3i& index) {
-  return {static_cast<octomap::key_type>(index.x() + kTreeCentre),
-          static_cast<octomap::key_type>(index.y() + kTreeCentre),
-          static_cast<octomap::key_type>(index.z() + kTreeCentre)};
 }
 
 Vec3i index_of(const MappingState& state, std::size_t offset) {
@@ -29,28 +24,21 @@ Vec3i index_of(const MappingState& state, std::size_t offset) {
                             static_cast<int>(offset / (nx * ny)));
 }
 
-// Reads the cells in [low, high) of the box from the octree, leaf by leaf: a pruned leaf covers a
-// cube of cells.
+// Reads the cells in [low, high) of the box from the octree.
 void read_cells(MappingState& state, const Vec3i& low, const Vec3i& high,
                 const MappingParams& params) {
   if ((low.array() >= high.array()).any()) return;
   const std::int8_t free = log_odds_steps(params.min_log_odds);
-  const std::int8_t occupied = log_odds_steps(params.max_log_odds);
-  const Vec3i first = state.base + low, last = state.base + high - Vec3i::Ones();
-  const auto end = state.tree->end_leafs_bbx();
-  for (auto leaf = state.tree->begin_leafs_bbx(key_of(first), key_of(last)); leaf != end; ++leaf) {
-    const std::int8_t value = state.tree->isNodeOccupied(*leaf) ? occupied : free;
-    const int edge = 1 << (state.tree->getTreeDepth() - leaf.getDepth());
-    const auto key = leaf.getIndexKey();  // of the leaf's least corner
-    const Vec3i corner = Vec3i(key[0], key[1], key[2]).array() - kTreeCentre;
-    const Vec3i from = corner.cwiseMax(first) - state.base;
-    const Vec3i to = (corner.array() + edge).matrix().cwiseMin(last + Vec3i::Ones()) - state.base;
-    for (int z = from.z(); z < to.z(); ++z)
-      for (int y = from.y(); y < to.y(); ++y) {
-        const std::size_t row = state.map.offset_of({from.x(), y, z});
-        std::fill_n(state.log_odds.begin() + row, to.x() - from.x(), value);
-      }
-  }
+  const std::int8_t seen = log_odds_steps(params.max_log_odds);
+  for_each_leaf(*state.tree, state.base + low, state.base + high,
+                [&](bool occupied, const Vec3i& from, const Vec3i& to) {
+                  for (int z = from.z(); z < to.z(); ++z)
+                    for (int y = from.y(); y < to.y(); ++y) {
+                      const Vec3i first = low + Vec3i(from.x(), y, z);
+                      std::fill_n(state.log_odds.begin() + state.map.offset_of(first),
+                                  to.x() - from.x(), occupied ? seen : free);
+                    }
+                });
 }
 
 void place(MappingState& state, const Vec3i& base) {
