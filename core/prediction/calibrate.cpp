@@ -1,11 +1,38 @@
 #include "core/prediction/calibrate.hpp"
 
-namespace foretrack {
+#include <algorithm>
 
-void calibrate(const MotionCues&, const Surroundings&, IntentionAssessment& assessment) {
+namespace foretrack {
+namespace {
+
+template <std::size_t N>
+double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
   double sum = 0.0;
-  for (auto& b : assessment.beliefs) sum += b.probability = std::exp(4.0 * b.score);
-  for (auto& b : assessment.beliefs) b.probability /= sum;
+  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+std::array<double, kIntentionCount> probabilities(const IntentionFeatures& f,
+                                                  const CalibrationWeights& w) {
+  std::array<double, kIntentionCount> p{};  // forward: logit 0
+  p[index_of(Intention::kTurnLeft)] = dot(w.turn, f.left);
+  p[index_of(Intention::kTurnRight)] = dot(w.turn, f.right);
+  p[index_of(Intention::kDecelerate)] = dot(w.decelerate, f.decelerate);
+  const double largest = *std::max_element(p.begin(), p.end());
+  double sum = 0.0;
+  for (double& x : p) sum += x = std::exp(x - largest);
+  for (double& x : p) x /= sum;
+  return p;
+}
+
+void calibrate(const MotionCues& motion, const Surroundings& surroundings, bool map_known,
+               IntentionAssessment& assessment) {
+  const auto features = intention_features(motion, surroundings, assessment, map_known);
+  const auto& weights = calibration_weights(features.map_known, features.body_known);
+  const auto p = probabilities(features, weights);
+  for (int i = 0; i < kIntentionCount; ++i) assessment.beliefs[i].probability = p[i];
 }
 
 }  // namespace foretrack

@@ -5,7 +5,7 @@
 
 #include "core/common/target.hpp"
 #include "core/prediction/motion_models.hpp"
-#include "core/prediction/prediction_params.hpp"
+#include "core/prediction/params.hpp"
 
 namespace foretrack {
 

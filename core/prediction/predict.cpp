@@ -25,7 +25,7 @@ const PredictionResult& predict(PredictionState& state, const TargetState& targe
   const MotionCues motion = observe_motion(state.history, target, params);
   const Surroundings surroundings = observe_surroundings(map, motion, params);  // §III.B
   assess_intention(motion, surroundings, params, result.intention);             // §III.C
-  calibrate(motion, surroundings, result.intention);
+  calibrate(motion, surroundings, !map.empty(), result.intention);
   predict_paths(state, target, motion, map, params);  // §IV
   return result;
 }

@@ -6,7 +6,7 @@
 #include "core/common/target.hpp"
 #include "core/prediction/intention_search.hpp"
 #include "core/prediction/motion_cues.hpp"
-#include "core/prediction/prediction_params.hpp"
+#include "core/prediction/params.hpp"
 
 namespace foretrack {
 

@@ -22,6 +22,19 @@ double half_angle(const GridMap& map, const Vec3& position, const ReachableRegio
   return 0.5 * quadrant * free / rays;
 }
 
+void measure_widths(const GridMap& map, const Vec3& here, const MotionCues& cues, double room_m,
+                    Surroundings& s) {
+  const Vec3 ahead = level_direction(cues.heading_rad);
+  const Vec3 left(-ahead.y(), ahead.x(), 0.0);
+  for (int i = 0; i < Surroundings::kSideCount; ++i) {
+    const double way_m = i * Surroundings::kSideStep_s * cues.speed_m_s;
+    if (way_m > room_m) break;
+    const Vec3 there = here + way_m * ahead;
+    s.left_width_m[i] = ray_distance_m(map, there, left, Surroundings::kSideRange_m);
+    s.right_width_m[i] = ray_distance_m(map, there, -left, Surroundings::kSideRange_m);
+  }
+}
+
 }  // namespace
 
 ReachableRegion reachable_region(const GridMap& map, const Vec3& position_enu_m, double heading_rad,
@@ -46,6 +59,7 @@ Surroundings observe_surroundings(const GridMap& map, const MotionCues& cues,
   const double step_m = std::min(cues.speed_m_s * params.region_ahead_s, room_m);
   s.region_ahead =
       reachable_region(map, here + step_m * ahead, cues.heading_rad, cues.speed_m_s, params);
+  measure_widths(map, here, cues, room_m, s);
   return s;
 }
 

@@ -1,6 +1,8 @@
 // Where the target may be within a second (paper §III.B).
 #pragma once
 
+#include <array>
+
 #include "core/common/grid_map.hpp"
 #include "core/prediction/motion_cues.hpp"
 
@@ -12,6 +14,13 @@ struct Surroundings {
   ReachableRegion region;            // R(t)
   ReachableRegion region_ahead;      // R(t + t0)
   double obstacle_distance_m = 0.0;  // d_obs, along the heading; the range when nothing is there
+  // Free width to each side now and along the way ahead, at most kSideRange_m; 0 behind an
+  // obstacle.
+  static constexpr int kSideCount = 7;
+  static constexpr double kSideStep_s = 0.2;
+  static constexpr double kSideRange_m = 2.5;
+  std::array<double, kSideCount> left_width_m{};
+  std::array<double, kSideCount> right_width_m{};
 };
 
 /// θ of each side is half of the unobstructed angle in its quadrant: rays at the target's height

@@ -1,4 +1,4 @@
-#include "core/prediction/prediction_params.hpp"
+#include "core/prediction/params.hpp"
 
 namespace foretrack {
 namespace {

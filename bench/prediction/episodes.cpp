@@ -1,0 +1,157 @@
+#include "bench/prediction/episodes.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include "core/common/random.hpp"
+#include "core/perception/target_filter.hpp"
+#include "core/simulator/person.hpp"
+#include "core/simulator/route.hpp"
+#include "core/simulator/track.hpp"
+
+namespace foretrack::bench {
+namespace {
+
+constexpr double kHeight_m = 1.2;
+constexpr double kMapResolution_m = 0.15;
+
+// Errors of a camera's torso measurement: a slow part (the vehicle's own pose, the range), a white
+// part, and the shoulders' angle.
+class Tracker {
+ public:
+  explicit Tracker(std::uint64_t seed) : random_(seed), slow_sigma_m_(random_.uniform(0.03, 0.08)) {
+    slow_m_ = slow_sigma_m_ * Vec2(random_.normal(), random_.normal());
+  }
+
+  TargetState see(double stamp_s, const Vec2& position_m, double body_yaw_rad) {
+    const double keep = std::exp(-kTruthStep_s * kTruthPerEstimate / kSlow_s);
+    slow_m_ = keep * slow_m_ + std::sqrt(1.0 - keep * keep) * slow_sigma_m_ *
+                                   Vec2(random_.normal(), random_.normal());
+    const Vec2 seen = position_m + slow_m_ + kWhite_m * Vec2(random_.normal(), random_.normal());
+    TorsoMeasurement m;
+    m.stamp_s = stamp_s;
+    m.position_enu_m << seen, kHeight_m;
+    m.covariance_m2 = Mat3::Identity() * kWhite_m * kWhite_m * 2.0;
+    m.yaw_rad = wrap_angle(body_yaw_rad + random_.normal(0.0, params_.yaw_noise_rad));
+    m.yaw_variance_rad2 = params_.yaw_noise_rad * params_.yaw_noise_rad;
+    estimate_ = advance(estimate_, m, params_);
+    return state();
+  }
+
+ private:
+  static constexpr double kSlow_s = 0.5;
+  static constexpr double kWhite_m = 0.03;
+
+  TargetState state() const {
+    TargetState s;
+    s.stamp_s = estimate_.stamp_s;
+    s.status = TrackStatus::kTracking;
+    s.position_enu_m = estimate_.mean.head<3>();
+    s.velocity_enu_m_s = estimate_.mean.tail<3>();
+    s.covariance = estimate_.covariance;
+    s.body_yaw_rad = estimate_.yaw_rad;
+    s.body_yaw_variance_rad2 = estimate_.yaw_variance_rad2;
+    s.last_measurement_s = estimate_.accepted_s;
+    return s;
+  }
+
+  PerceptionParams params_;
+  Random random_;
+  double slow_sigma_m_;
+  Vec2 slow_m_;
+  TargetEstimate estimate_;
+};
+
+World world_at_torso_height(const SimulatedWalk& walk) {
+  World world = generate_world({.kind = walk.kind, .seed = walk.seed});
+  world.min_m.z() = kHeight_m - 2.0 * kMapResolution_m;
+  world.max_m.z() = kHeight_m + 2.0 * kMapResolution_m;
+  return world;
+}
+
+std::vector<Vec2> route_of(const SimulatedWalk& walk, const World& world) {
+  const RouteRequest request{.seed = walk.seed, .length_m = walk.speed_m_s * walk.duration_s};
+  return walk.kind == WorldKind::kTIntersection ? t_intersection_route(request)
+                                                : generate_route(world, request);
+}
+
+PersonParams person_params(const SimulatedWalk& walk, Random& random) {
+  PersonParams params;
+  params.start_s = 0.0;
+  for (int i = 0; i < walk.stops; ++i)
+    params.stops.push_back(
+        {(i + random.uniform(0.3, 0.8)) * walk.duration_s / walk.stops, random.uniform(1.0, 3.0)});
+  return params;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Episode replay(const Track& track) {
+  Episode episode;
+  episode.name = "recorded";
+  const Walk walk = walk_through(track.points);
+  Tracker tracker(static_cast<std::uint64_t>(track.pedestrian) + 1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const int count = static_cast<int>(walk.duration_s() / kTruthStep_s);
+  for (int i = 0; i < count; ++i) {
+    const WalkPoint here = walk.at(i * kTruthStep_s);
+    episode.truth.push_back({here.position_m, here.velocity_m_s});
+    if (i % kTruthPerEstimate == 0)
+      episode.estimates.push_back(tracker.see(i * kTruthStep_s, here.position_m, nan));
+  }
+  return episode;
+}
+
+}  // namespace
+
+Episode simulate_walk(const SimulatedWalk& walk) {
+  Episode episode;
+  episode.name = kWorldKindNames[static_cast<int>(walk.kind)];
+  const World world = world_at_torso_height(walk);
+  episode.map = known_map(world, kMapResolution_m);
+  Random random(walk.seed);
+  Person person =
+      make_person(person_params(walk, random),
+                  walk_along(route_of(walk, world), {.speed_m_s = walk.speed_m_s}), 0.0);
+  Tracker tracker(walk.seed);
+  const int count = static_cast<int>(walk.duration_s / kTruthStep_s);
+  for (int i = 0; i < count; ++i) {
+    const PersonState& s = person.state;
+    episode.truth.push_back({s.position_enu_m.head<2>(), s.velocity_enu_m_s.head<2>()});
+    if (i % kTruthPerEstimate == 0)
+      episode.estimates.push_back(
+          tracker.see(i * kTruthStep_s, s.position_enu_m.head<2>(), s.body_yaw_rad));
+    advance(person, kTruthStep_s);
+  }
+  return episode;
+}
+
+std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds) {
+  std::vector<SimulatedWalk> walks;
+  std::uint64_t seed = first_seed;
+  for (int round = 0; round < rounds; ++round)
+    for (int kind = 0; kind < static_cast<int>(kWorldKindNames.size()); ++kind)
+      for (const double speed : {1.0, 1.5, 2.0})
+        walks.push_back({static_cast<WorldKind>(kind), seed++, speed, round % 2});
+  return walks;
+}
+
+std::vector<RecordedWalk> recorded_walks(const std::string& path) {
+  constexpr double kFrames_hz = 25.0, kShortest_s = 3.0;
+  const std::string text = text_of_file(path);
+  std::vector<RecordedWalk> walks;
+  if (text.empty()) return walks;
+  for (const Track& track : parse_tracks(text, TrackFormat::kOpenTraj, kFrames_hz, path)) {
+    if (track.points.size() < 4) continue;
+    if (track.points.back().time_s - track.points.front().time_s < kShortest_s) continue;
+    walks.push_back({track.pedestrian, replay(track)});
+  }
+  return walks;
+}
+
+}  // namespace foretrack::bench

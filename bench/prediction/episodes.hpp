@@ -1,0 +1,54 @@
+// People who walk, as they really went and as a noisy tracker saw them: what prediction is fitted
+// and measured on.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/common/grid_map.hpp"
+#include "core/common/target.hpp"
+#include "core/simulator/world.hpp"
+
+namespace foretrack::bench {
+
+inline constexpr double kTruthStep_s = 0.02;
+inline constexpr int kTruthPerEstimate = 2;  // estimates come at 25 Hz
+
+struct TruthSample {
+  Vec2 position_m = Vec2::Zero();
+  Vec2 velocity_m_s = Vec2::Zero();
+  double speed_m_s() const { return velocity_m_s.norm(); }
+};
+
+/// estimates[i] is of the time of truth[kTruthPerEstimate · i].
+struct Episode {
+  std::string name;
+  GridMap map;  // empty: not known
+  std::vector<TruthSample> truth;
+  std::vector<TargetState> estimates;
+};
+
+struct SimulatedWalk {
+  WorldKind kind = WorldKind::kEmpty;
+  std::uint64_t seed = 1;
+  double speed_m_s = 1.5;
+  int stops = 0;  // sudden ones, without a cause in the surroundings
+  double duration_s = 60.0;
+};
+
+/// Sharp turns around what stands in a generated world, shoulders ahead of the path.
+Episode simulate_walk(const SimulatedWalk& walk);
+
+/// Every kind of world at 1.0, 1.5 and 2.0 m/s, `rounds` times, from worlds of this seed on.
+std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds);
+
+/// Recorded pedestrians of a file in OpenTraj's format: no map, no body yaw. Empty if there is no
+/// such file.
+struct RecordedWalk {
+  int pedestrian = 0;
+  Episode episode;
+};
+std::vector<RecordedWalk> recorded_walks(const std::string& path);
+
+}  // namespace foretrack::bench

@@ -1,0 +1,99 @@
+// Fits the calibrated intention probabilities and writes core/prediction/calibration_weights.cpp.
+// Usage: fit_intention RECORDED_TRACKS OUT.cpp
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "bench/prediction/fit_softmax.hpp"
+#include "bench/prediction/split.hpp"
+
+namespace foretrack::bench {
+namespace {
+
+constexpr double kRidge = 3e-4;
+
+struct Fit {
+  std::string name;
+  std::string fitted_on;
+  CalibrationWeights weights;
+};
+
+void append(std::vector<Window>& all, const std::vector<Window>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+Fit fit(const std::string& name, const std::string& source, const std::vector<Window>& windows) {
+  Fit result{name, {}, fit_softmax(windows, kRidge)};
+  std::array<int, kIntentionCount> counts{};
+  for (const Window& w : windows) ++counts[index_of(w.label)];
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "%s; %zu windows: %d forward, %d left, %d right, %d decelerate; log-loss %.4f",
+                source.c_str(), windows.size(), counts[0], counts[1], counts[2], counts[3],
+                mean_log_loss(windows, result.weights));
+  result.fitted_on = text;
+  std::cout << name << ": " << text << '\n';
+  return result;
+}
+
+template <std::size_t N>
+void write_row(std::ostream& out, const char* field, const std::array<double, N>& values) {
+  out << "    ." << field << " = {";
+  for (std::size_t i = 0; i < N; ++i) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4f", values[i]);
+    out << (i ? ", " : "") << text;
+  }
+  out << "},\n";
+}
+
+void write_source(std::ostream& out, const std::vector<Fit>& fits) {
+  out << "// Written by bench/prediction/fit_intention; do not edit.\n"
+         "#include \"core/prediction/calibrate.hpp\"\n\nnamespace foretrack {\nnamespace {\n\n";
+  for (const Fit& f : fits) {
+    out << "// Fitted on " << f.fitted_on << ".\nconstexpr CalibrationWeights " << f.name << "{\n";
+    write_row(out, "turn", f.weights.turn);
+    write_row(out, "decelerate", f.weights.decelerate);
+    out << "};\n\n";
+  }
+  out << "}  // namespace\n\n"
+         "const CalibrationWeights& calibration_weights(bool map_known, bool body_known) {\n"
+         "  if (map_known) return body_known ? kMapAndBody : kMapOnly;\n"
+         "  return body_known ? kBodyOnly : kTrackOnly;\n"
+         "}\n\n}  // namespace foretrack\n";
+}
+
+int run(const std::string& tracks, const std::string& out_path) {
+  const PredictionParams params;
+  std::vector<Window> map_and_body, map_only, body_only, track_only;
+  for (const SimulatedWalk& walk : fitting_walks()) {
+    const Episode episode = simulate_walk(walk);
+    append(map_and_body, windows_of(episode, params, false, false));
+    append(map_only, windows_of(episode, params, false, true));
+    append(body_only, windows_of(episode, params, true, false));
+  }
+  for (const RecordedWalk& walk : recorded_walks(tracks))
+    if (!is_held_out(walk)) append(track_only, windows_of(walk.episode, params, true, true));
+  if (track_only.empty()) {
+    std::cerr << "fit_intention: no recorded tracks in " << tracks << '\n';
+    return 1;
+  }
+  const std::vector<Fit> fits = {fit("kMapAndBody", "simulated walks", map_and_body),
+                                 fit("kMapOnly", "simulated walks, yaw hidden", map_only),
+                                 fit("kBodyOnly", "simulated walks, map hidden", body_only),
+                                 fit("kTrackOnly", "UCY zara01 pedestrians", track_only)};
+  std::ofstream out(out_path);
+  write_source(out, fits);
+  return out ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace foretrack::bench
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: fit_intention RECORDED_TRACKS OUT.cpp\n";
+    return 2;
+  }
+  return foretrack::bench::run(argv[1], argv[2]);
+}

@@ -1,0 +1,185 @@
+// Measures prediction on held-out walks, simulated and recorded.
+// Usage: predict_bench [--tracks FILE] [--json FILE]
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "bench/prediction/intention_report.hpp"
+#include "bench/prediction/path_report.hpp"
+#include "bench/prediction/split.hpp"
+
+namespace foretrack::bench {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Score {
+  IntentionScorer intention;
+  PathScorer turning, straight, all;
+  std::vector<double> times_us;
+  std::array<int, 4> statuses{};
+};
+
+void run_episode(const Episode& episode, Score& score) {
+  const PredictionParams params;
+  const int three_s = static_cast<int>(3.0 / kTruthStep_s + 0.5);
+  PredictionState state;
+  MotionHistory history;
+  std::vector<Moment> moments;
+  for (int k = 0; k < static_cast<int>(episode.estimates.size()); ++k) {
+    const TargetState& target = episode.estimates[k];
+    const auto start = std::chrono::steady_clock::now();
+    const PredictionResult& result = predict(state, target, episode.map, params);
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+    score.times_us.push_back(took.count());
+    ++score.statuses[static_cast<int>(result.prediction.status)];
+    const double turn_rate = observe_motion(history, target, params).turn_rate_rad_s;
+    const int i = k * kTruthPerEstimate;
+    Moment moment{i, {}, label_at(episode.truth, i)};
+    for (int n = 0; n < kIntentionCount; ++n) moment.p[n] = result.intention.beliefs[n].probability;
+    moments.push_back(moment);
+    const bool known = i + three_s < static_cast<int>(episode.truth.size());
+    if (k % 5 != 0 || !moment.label || !known) continue;
+    const auto add = [&](PathScorer& paths) {
+      paths.add(target, turn_rate, result.prediction, episode.truth, i);
+    };
+    add(score.all);
+    if (*moment.label == Intention::kTurnLeft || *moment.label == Intention::kTurnRight)
+      add(score.turning);
+    if (goes_straight(episode.truth, i)) add(score.straight);
+  }
+  score.intention.add(moments, episode.truth);
+}
+
+void print_paths(const char* title, const PathScorer& scorer) {
+  const PathTable table = scorer.means();
+  std::printf("\n%s windows (n = %d): FDE [m] / ADE / brier-FDE / missed by 0.5 m / by 1 m\n",
+              title, scorer.count());
+  for (std::size_t m = 0; m < table.size(); ++m) {
+    std::printf("  %-19s", kMethodNames[m].data());
+    for (std::size_t h = 0; h < kHorizons_s.size(); ++h) {
+      const PathErrors& e = table[m][h];
+      std::printf(" | %.1f s: %.2f %.2f %.2f %2.0f%% %2.0f%%", kHorizons_s[h], e.fde_m, e.ade_m,
+                  e.brier_fde_m, 100.0 * e.missed_half_m, 100.0 * e.missed_one_m);
+    }
+    std::printf("\n");
+  }
+}
+
+void print_intention(const char* name, const IntentionReport& r) {
+  std::printf("\n== %s: %d windows, base rates", name, r.windows);
+  for (int i = 0; i < kIntentionCount; ++i)
+    std::printf(" %s %.3f", kIntentionNames[i].data(), r.base_rate[i]);
+  std::printf("\nBrier %.4f, skill %.3f; log-loss %.4f (base %.4f); ECE %.4f, of turns %.4f\n",
+              r.brier, r.brier_skill, r.log_loss, r.base_log_loss, r.ece, r.ece_turn);
+  std::printf(
+      "turns %d, announced by their onset %.0f%%, median lead %.2f s; false alarms %.2f a "
+      "minute in %.1f min\n",
+      r.turns, 100.0 * r.foreseen_share, r.median_lead_s, r.false_alarms_per_min, r.walked_min);
+}
+
+double quantile(std::vector<double>& values, double q) {
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+Json json_of(const std::vector<ReliabilityBin>& bins) {
+  Json rows = Json::array();
+  for (const auto& b : bins) rows.push_back({b.mean_probability, b.frequency, b.count});
+  return rows;
+}
+
+Json json_of(const PathScorer& scorer) {
+  Json rows = Json::array();
+  const PathTable table = scorer.means();
+  for (std::size_t m = 0; m < table.size(); ++m)
+    for (std::size_t h = 0; h < kHorizons_s.size(); ++h) {
+      const PathErrors& e = table[m][h];
+      rows.push_back({{"method", kMethodNames[m]},
+                      {"horizon_s", kHorizons_s[h]},
+                      {"windows", e.count},
+                      {"fde_m", e.fde_m},
+                      {"ade_m", e.ade_m},
+                      {"brier_fde_m", e.brier_fde_m},
+                      {"missed_half_m", e.missed_half_m},
+                      {"missed_one_m", e.missed_one_m}});
+    }
+  return rows;
+}
+
+Json json_of(const IntentionReport& r) {
+  return {{"windows", r.windows},
+          {"base_rate", r.base_rate},
+          {"brier", r.brier},
+          {"brier_skill", r.brier_skill},
+          {"log_loss", r.log_loss},
+          {"base_log_loss", r.base_log_loss},
+          {"ece", r.ece},
+          {"ece_turn", r.ece_turn},
+          {"reliability", json_of(r.reliability)},
+          {"turn_reliability", json_of(r.turn_reliability)},
+          {"turns", r.turns},
+          {"announced_by_onset", r.foreseen_share},
+          {"median_lead_s", r.median_lead_s},
+          {"leads_s", r.leads_s},
+          {"walked_min", r.walked_min},
+          {"false_alarms_per_min", r.false_alarms_per_min}};
+}
+
+Json report(const char* name, Score& score) {
+  const IntentionReport intention = score.intention.report();
+  print_intention(name, intention);
+  print_paths("Turning", score.turning);
+  print_paths("Straight", score.straight);
+  print_paths("All", score.all);
+  const double p50 = quantile(score.times_us, 0.5), p99 = quantile(score.times_us, 0.99);
+  std::printf("\npredict(): %zu calls, P50 %.0f us, P99 %.0f us; ok %d, blocked %d, exhausted %d\n",
+              score.times_us.size(), p50, p99, score.statuses[0], score.statuses[2],
+              score.statuses[3]);
+  return {{"intention", json_of(intention)},
+          {"turning", json_of(score.turning)},
+          {"straight", json_of(score.straight)},
+          {"all", json_of(score.all)},
+          {"predict_p50_us", p50},
+          {"predict_p99_us", p99}};
+}
+
+int run(const std::string& tracks, const std::string& json_path) {
+  Json out;
+  Score simulated, recorded;
+  for (const SimulatedWalk& walk : held_out_walks()) run_episode(simulate_walk(walk), simulated);
+  out["simulated"] = report("Simulated, held-out worlds", simulated);
+  for (const RecordedWalk& walk : recorded_walks(tracks))
+    if (is_held_out(walk)) run_episode(walk.episode, recorded);
+  if (recorded.times_us.empty())
+    std::printf("\nno recorded tracks at '%s': skipped\n", tracks.c_str());
+  else
+    out["recorded"] = report("Recorded, held-out pedestrians", recorded);
+  if (json_path.empty()) return 0;
+  std::ofstream file(json_path);
+  file << out.dump(1) << '\n';
+  return file ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace foretrack::bench
+
+int main(int argc, char** argv) {
+  std::string tracks = "../shared/data/ucy_zara01_obsmat.txt", json;
+  for (int i = 1; i < argc; ++i) {
+    std::string* value = std::strcmp(argv[i], "--tracks") == 0 ? &tracks
+                         : std::strcmp(argv[i], "--json") == 0 ? &json
+                                                               : nullptr;
+    if (value == nullptr || i + 1 == argc) {
+      std::cerr << "usage: predict_bench [--tracks FILE] [--json FILE]\n";
+      return 2;
+    }
+    *value = argv[++i];
+  }
+  return foretrack::bench::run(tracks, json);
+}

@@ -1,0 +1,18 @@
+// What is fitted on and what is held out: never the same world, nor the same pedestrian.
+#pragma once
+
+#include "bench/prediction/episodes.hpp"
+
+namespace foretrack::bench {
+
+inline std::vector<SimulatedWalk> fitting_walks() {
+  return turning_walks(1, 8);
+}
+inline std::vector<SimulatedWalk> held_out_walks() {
+  return turning_walks(100001, 4);
+}
+inline bool is_held_out(const RecordedWalk& walk) {
+  return walk.pedestrian % 3 == 0;
+}
+
+}  // namespace foretrack::bench

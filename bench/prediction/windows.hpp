@@ -1,0 +1,21 @@
+// Labelled moments of an episode, with what prediction knew and said.
+#pragma once
+
+#include <vector>
+
+#include "bench/prediction/labels.hpp"
+#include "core/prediction/calibrate.hpp"
+#include "core/prediction/predict.hpp"
+
+namespace foretrack::bench {
+
+struct Window {
+  IntentionFeatures features;
+  Intention label = Intention::kForward;
+};
+
+/// One window every 0.2 s. hide_map, hide_body: as if the map or the body's yaw were not known.
+std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params,
+                               bool hide_map, bool hide_body);
+
+}  // namespace foretrack::bench

@@ -1,0 +1,106 @@
+#include "services/convert/image.hpp"
+
+#include <bit>
+#include <cstring>
+
+#include "services/convert/geometry.hpp"
+
+namespace foretrack {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+constexpr char kFloatMetres[] = "32FC1";
+constexpr char kMillimetres[] = "16UC1";
+constexpr std::uint32_t kMaxSide_px = 16384;
+constexpr double kFocal_px = 1e5;
+
+// Rows may be padded.
+template <class Pixel, class Convert>
+void read_rows(const sensor_msgs::msg::Image& in, std::vector<float>& out, Convert convert) {
+  out.resize(static_cast<std::size_t>(in.width()) * in.height());
+  float* to = out.data();
+  for (std::uint32_t row = 0; row < in.height(); ++row) {
+    const std::uint8_t* from = in.data().data() + static_cast<std::size_t>(row) * in.step();
+    for (std::uint32_t column = 0; column < in.width(); ++column, from += sizeof(Pixel)) {
+      Pixel pixel;
+      std::memcpy(&pixel, from, sizeof pixel);
+      *to++ = convert(pixel);
+    }
+  }
+}
+
+// Negative and infinitely near are no depths; 0 is "no return". +inf means free to the range.
+float valid_depth(float depth_m) {
+  return depth_m >= 0.0f ? depth_m : 0.0f;
+}
+
+}  // namespace
+
+void to_idl(const CameraModel& in, double stamp_s, sensor_msgs::msg::CameraInfo& out) {
+  set_header(out.header(), stamp_s, kCameraFrame);
+  out.width(in.width_px);
+  out.height(in.height_px);
+  out.distortion_model("plumb_bob");
+  out.d().assign(5, 0.0);
+  out.k({in.fx_px, 0, in.cx_px, 0, in.fy_px, in.cy_px, 0, 0, 1});
+  out.r({1, 0, 0, 0, 1, 0, 0, 0, 1});
+  out.p({in.fx_px, 0, in.cx_px, 0, 0, in.fy_px, in.cy_px, 0, 0, 0, 1, 0});
+}
+
+Converted<CameraModel> from_idl(const sensor_msgs::msg::CameraInfo& in, const Pose& T_body_camera) {
+  Checks checks;
+  checks.stamp("header.stamp", in.header().stamp());
+  checks.in_range("width", in.width(), 1, kMaxSide_px);
+  checks.in_range("height", in.height(), 1, kMaxSide_px);
+  checks.positive("k[0]", in.k()[0], kFocal_px);
+  checks.positive("k[4]", in.k()[4], kFocal_px);
+  checks.within("k[2]", in.k()[2], kFocal_px);
+  checks.within("k[5]", in.k()[5], kFocal_px);
+  for (const double d : in.d()) checks.within("d", d, 0.0);
+  CameraModel out;
+  if (!checks.ok()) return checks.result(out);
+  out.width_px = static_cast<int>(in.width());
+  out.height_px = static_cast<int>(in.height());
+  out.fx_px = in.k()[0];
+  out.fy_px = in.k()[4];
+  out.cx_px = in.k()[2];
+  out.cy_px = in.k()[5];
+  out.T_body_camera = T_body_camera;
+  return checks.result(out);
+}
+
+void to_idl(const DepthImage& in, sensor_msgs::msg::Image& out) {
+  set_header(out.header(), in.stamp_s, kCameraFrame);
+  out.width(in.camera.width_px);
+  out.height(in.camera.height_px);
+  out.encoding(kFloatMetres);
+  out.is_bigendian(0);
+  out.step(out.width() * sizeof(float));
+  out.data().resize(in.depth_m.size() * sizeof(float));
+  std::memcpy(out.data().data(), in.depth_m.data(), out.data().size());
+}
+
+Converted<DepthImage> from_idl(const sensor_msgs::msg::Image& in, const CameraModel& camera,
+                               std::vector<float> buffer) {
+  Checks checks;
+  const bool metres = in.encoding() == kFloatMetres;
+  checks.stamp("header.stamp", in.header().stamp());
+  if (!metres) checks.frame("encoding", in.encoding(), kMillimetres);
+  if (in.is_bigendian()) checks.fail("is_bigendian", "true", "false");
+  checks.in_range("width", in.width(), camera.width_px, camera.width_px);
+  checks.in_range("height", in.height(), camera.height_px, camera.height_px);
+  const double least_step = in.width() * (metres ? 4.0 : 2.0);
+  checks.in_range("step", in.step(), least_step, 1e6);
+  if (!checks.ok()) return checks.result(DepthImage());
+  const std::size_t bytes = static_cast<std::size_t>(in.step()) * in.height();
+  checks.count("data", in.data().size(), bytes, bytes);
+  if (!checks.ok()) return checks.result(DepthImage());
+  if (metres)
+    read_rows<float>(in, buffer, valid_depth);
+  else
+    read_rows<std::uint16_t>(in, buffer, [](std::uint16_t mm) { return 1e-3f * mm; });
+  DepthImage out{seconds(in.header().stamp()), camera, std::move(buffer)};
+  return checks.result(std::move(out));
+}
+
+}  // namespace foretrack

@@ -1,0 +1,39 @@
+// The flight controller's messages: NED and FRD, microseconds of its clock, NaN = not controlled.
+#pragma once
+
+#include <optional>
+
+#include "core/common/vehicle.hpp"
+#include "core/safety/mission.hpp"
+#include "px4_msgs/msg/OffboardControlMode.h"
+#include "px4_msgs/msg/TrajectorySetpoint.h"
+#include "px4_msgs/msg/VehicleCommand.h"
+#include "px4_msgs/msg/VehicleLocalPosition.h"
+#include "px4_msgs/msg/VehicleOdometry.h"
+#include "px4_msgs/msg/VehicleStatus.h"
+#include "services/convert/checks.hpp"
+
+namespace foretrack {
+
+void to_idl(const Setpoint& setpoint, px4_msgs::msg::TrajectorySetpoint& out);
+/// NaN is passed on; infinite values are faults.
+Converted<Setpoint> from_idl(const px4_msgs::msg::TrajectorySetpoint& in);
+
+/// The heartbeat: we control positions, with velocities and accelerations fed forward.
+void to_heartbeat(double stamp_s, px4_msgs::msg::OffboardControlMode& out);
+
+void to_idl(const VehicleState& state, px4_msgs::msg::VehicleOdometry& out);
+/// Poses in NED only; velocities in NED or in the body's FRD.
+Converted<VehicleState> from_idl(const px4_msgs::msg::VehicleOdometry& in);
+
+void to_idl(const AutopilotStatus& status, px4_msgs::msg::VehicleStatus& out);
+Converted<AutopilotStatus> from_idl(const px4_msgs::msg::VehicleStatus& in);
+
+void to_idl(const VehicleState& state, px4_msgs::msg::VehicleLocalPosition& out);
+
+/// Precondition: the request is not kNone.
+void to_idl(AutopilotRequest request, double stamp_s, px4_msgs::msg::VehicleCommand& out);
+/// What we ask for, or a fault: another command, or other parameters.
+Converted<AutopilotRequest> from_idl(const px4_msgs::msg::VehicleCommand& in);
+
+}  // namespace foretrack

@@ -1,0 +1,163 @@
+#include "services/convert/safety.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "services/convert/geometry.hpp"
+
+namespace foretrack {
+namespace {
+
+namespace msg = foretrack_msgs::msg;
+namespace o = msg::MissionCommand_Constants;
+namespace s = msg::SafetyState_Constants;
+static_assert(o::COMMAND_START == int(MissionOrder::kStart));
+static_assert(o::COMMAND_HOLD == int(MissionOrder::kHold));
+static_assert(o::COMMAND_RESUME == int(MissionOrder::kResume));
+static_assert(o::COMMAND_RETURN == int(MissionOrder::kReturn));
+static_assert(o::COMMAND_LAND == int(MissionOrder::kLand));
+static_assert(o::COMMAND_STOP == int(MissionOrder::kStop));
+static_assert(s::MODE_TRACK == int(SafetyMode::kTrack));
+static_assert(s::MODE_COAST == int(SafetyMode::kCoast));
+static_assert(s::MODE_HOVER == int(SafetyMode::kHover));
+static_assert(s::MODE_BRAKE == int(SafetyMode::kBrake));
+static_assert(s::MODE_SILENT == int(SafetyMode::kSilent));
+static_assert(s::REASON_NONE == int(SafetyReason::kNone));
+static_assert(s::REASON_NO_PLAN_YET == int(SafetyReason::kNoPlanYet));
+static_assert(s::REASON_PLAN_STALE == int(SafetyReason::kPlanStale));
+static_assert(s::REASON_PLAN_ENDED == int(SafetyReason::kPlanEnded));
+static_assert(s::REASON_PLAN_HOLDS == int(SafetyReason::kPlanHolds));
+static_assert(s::REASON_OFF_TRAJECTORY == int(SafetyReason::kOffTrajectory));
+static_assert(s::REASON_VEHICLE_STALE == int(SafetyReason::kVehicleStale));
+static_assert(s::REASON_AUTOPILOT_STALE == int(SafetyReason::kAutopilotStale));
+static_assert(s::REASON_NOT_OFFBOARD == int(SafetyReason::kNotOffboard));
+static_assert(s::REASON_MISSION == int(SafetyReason::kMission));
+static_assert(s::PHASE_IDLE == int(MissionPhase::kIdle));
+static_assert(s::PHASE_TRACKING == int(MissionPhase::kTracking));
+static_assert(s::PHASE_HOLDING == int(MissionPhase::kHolding));
+static_assert(s::PHASE_RETURNING == int(MissionPhase::kReturning));
+static_assert(s::PHASE_LANDING == int(MissionPhase::kLanding));
+static_assert(s::PHASE_STOPPED == int(MissionPhase::kStopped));
+static_assert(s::REQUEST_NONE == int(AutopilotRequest::kNone));
+static_assert(s::REQUEST_ARM == int(AutopilotRequest::kArm));
+static_assert(s::REQUEST_OFFBOARD == int(AutopilotRequest::kOffboard));
+static_assert(s::REQUEST_RETURN == int(AutopilotRequest::kReturn));
+static_assert(s::REQUEST_LAND == int(AutopilotRequest::kLand));
+static_assert(s::RESULT_NONE == int(MissionResult::kNone));
+static_assert(s::RESULT_ACCEPTED == int(MissionResult::kAccepted));
+static_assert(s::RESULT_REFUSED_LATE == int(MissionResult::kRefusedLate));
+static_assert(s::RESULT_REFUSED_REPEATED == int(MissionResult::kRefusedRepeated));
+static_assert(s::RESULT_REFUSED_PHASE == int(MissionResult::kRefusedPhase));
+
+void set_setpoint(const GateReport& in, msg::SafetyState& out) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const Vec3 none = Vec3::Constant(kNaN);
+  const auto& sp = in.result.setpoint;
+  out.setpoint_valid(sp.has_value());
+  out.position_m(to_array(sp ? sp->position_enu_m : none));
+  out.velocity_mps(to_array(sp ? sp->velocity_enu_m_s : none));
+  out.acceleration_mps2(to_array(sp ? sp->acceleration_enu_m_s2 : none));
+  out.yaw_rad(sp ? sp->yaw_rad : kNaN);
+  out.yaw_rate_radps(sp ? sp->yaw_rate_rad_s : kNaN);
+}
+
+// NaN is a value here: not controlled.
+void within_or_nan(Checks& checks, std::string_view field, double value, double limit) {
+  if (!std::isnan(value)) checks.within(field, value, limit);
+}
+void within_or_nan(Checks& checks, std::string_view field, const std::array<double, 3>& values,
+                   double limit) {
+  for (const double v : values) within_or_nan(checks, field, v, limit);
+}
+
+Setpoint read_setpoint(Checks& checks, const msg::SafetyState& in) {
+  within_or_nan(checks, "position_m", in.position_m(), limits::kPosition_m);
+  within_or_nan(checks, "velocity_mps", in.velocity_mps(), limits::kSpeed_m_s);
+  within_or_nan(checks, "acceleration_mps2", in.acceleration_mps2(), limits::kAcceleration_m_s2);
+  within_or_nan(checks, "yaw_rad", in.yaw_rad(), limits::kAngle_rad);
+  within_or_nan(checks, "yaw_rate_radps", in.yaw_rate_radps(), limits::kRate_rad_s);
+  Setpoint out;
+  out.stamp_s = seconds(in.header().stamp());
+  out.position_enu_m = to_vec3(in.position_m());
+  out.velocity_enu_m_s = to_vec3(in.velocity_mps());
+  out.acceleration_enu_m_s2 = to_vec3(in.acceleration_mps2());
+  out.jerk_enu_m_s3 = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  out.yaw_rad = in.yaw_rad();
+  out.yaw_rate_rad_s = in.yaw_rate_radps();
+  return out;
+}
+
+}  // namespace
+
+void to_idl(const MissionCommand& in, msg::MissionCommand& out) {
+  set_header(out.header(), in.stamp_s);
+  out.id(in.id);
+  out.command(static_cast<std::uint8_t>(in.order));
+}
+
+Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
+  Checks checks;
+  checks.stamp("header.stamp", in.header().stamp());
+  checks.enumerator("command", in.command(), o::COMMAND_STOP);
+  if (in.id() == 0) checks.fail("id", "0", "1 or more");
+  return checks.result(MissionCommand{.id = in.id(),
+                                      .stamp_s = seconds(in.header().stamp()),
+                                      .order = static_cast<MissionOrder>(in.command())});
+}
+
+void to_idl(const GateReport& in, msg::SafetyState& out) {
+  const GateResult& r = in.result;
+  set_header(out.header(), in.stamp_s);
+  out.caused_by(to_time(in.caused_by_s));
+  out.mode(static_cast<std::uint8_t>(r.mode));
+  out.reason(static_cast<std::uint8_t>(r.reason));
+  out.phase(static_cast<std::uint8_t>(r.phase));
+  out.request(static_cast<std::uint8_t>(r.request));
+  out.text(fmt::format("{}: {} ({})", to_string(r.mode), to_string(r.reason), to_string(r.phase)));
+  out.trajectory_id(r.plan_id);
+  out.plan_age_s(r.plan_age_s);
+  out.deviation_m(r.deviation_m);
+  out.odometry_age_s(in.odometry_age_s);
+  out.offboard(in.autopilot.offboard);
+  out.armed(in.autopilot.armed);
+  out.heartbeat(r.heartbeat);
+  set_setpoint(in, out);
+  out.command_id(r.command_id);
+  out.command_result(static_cast<std::uint8_t>(r.command_result));
+}
+
+Converted<GateReport> from_idl(const msg::SafetyState& in) {
+  Checks checks;
+  GateReport out;
+  check_header(checks, in.header());
+  checks.stamp("caused_by", in.caused_by());
+  checks.enumerator("mode", in.mode(), s::MODE_SILENT);
+  checks.enumerator("reason", in.reason(), s::REASON_MISSION);
+  checks.enumerator("phase", in.phase(), s::PHASE_STOPPED);
+  checks.enumerator("request", in.request(), s::REQUEST_LAND);
+  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_PHASE);
+  checks.within("plan_age_s", in.plan_age_s(), 1e10);
+  checks.within("deviation_m", in.deviation_m(), limits::kPosition_m);
+  checks.within("odometry_age_s", in.odometry_age_s(), 1e10);
+  GateResult& r = out.result;
+  if (in.setpoint_valid()) r.setpoint = read_setpoint(checks, in);
+  out.stamp_s = seconds(in.header().stamp());
+  out.caused_by_s = seconds(in.caused_by());
+  out.odometry_age_s = in.odometry_age_s();
+  out.autopilot.offboard = in.offboard();
+  out.autopilot.armed = in.armed();
+  r.mode = static_cast<SafetyMode>(in.mode());
+  r.reason = static_cast<SafetyReason>(in.reason());
+  r.phase = static_cast<MissionPhase>(in.phase());
+  r.request = static_cast<AutopilotRequest>(in.request());
+  r.command_result = static_cast<MissionResult>(in.command_result());
+  r.command_id = in.command_id();
+  r.heartbeat = in.heartbeat();
+  r.plan_age_s = in.plan_age_s();
+  r.deviation_m = in.deviation_m();
+  r.plan_id = in.trajectory_id();
+  return checks.result(std::move(out));
+}
+
+}  // namespace foretrack

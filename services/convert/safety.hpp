@@ -1,0 +1,27 @@
+// The operator's orders and what the safety gate says of itself.
+#pragma once
+
+#include "core/safety/gate.hpp"
+#include "foretrack_msgs/msg/MissionCommand.h"
+#include "foretrack_msgs/msg/SafetyState.h"
+#include "services/convert/checks.hpp"
+
+namespace foretrack {
+
+void to_idl(const MissionCommand& command, foretrack_msgs::msg::MissionCommand& out);
+/// Ids start at 1: 0 is what an unset message holds.
+Converted<MissionCommand> from_idl(const foretrack_msgs::msg::MissionCommand& in);
+
+/// One tick of the gate, as the world may know it.
+struct GateReport {
+  double stamp_s = 0.0;
+  double caused_by_s = 0.0;  // stamp of the sensor data behind the flown trajectory; 0: none
+  GateResult result;
+  AutopilotStatus autopilot;
+  double odometry_age_s = -1.0;
+};
+/// Keeps out.operator_id.
+void to_idl(const GateReport& report, foretrack_msgs::msg::SafetyState& out);
+Converted<GateReport> from_idl(const foretrack_msgs::msg::SafetyState& in);
+
+}  // namespace foretrack

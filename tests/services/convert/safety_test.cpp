@@ -1,0 +1,125 @@
+#include "services/convert/safety.hpp"
+
+#include "convert_test_support.hpp"
+
+namespace foretrack {
+namespace {
+
+using testing::kInf;
+using testing::kNaN;
+using CommandMsg = foretrack_msgs::msg::MissionCommand;
+using StateMsg = foretrack_msgs::msg::SafetyState;
+
+GateReport report() {
+  GateReport r;
+  r.stamp_s = 30.0;
+  r.caused_by_s = 29.75;
+  r.autopilot.armed = true;
+  r.autopilot.offboard = true;
+  r.odometry_age_s = 0.01;
+  r.result.mode = SafetyMode::kCoast;
+  r.result.reason = SafetyReason::kPlanStale;
+  r.result.phase = MissionPhase::kTracking;
+  r.result.request = AutopilotRequest::kOffboard;
+  r.result.command_result = MissionResult::kRefusedPhase;
+  r.result.command_id = 17;
+  r.result.heartbeat = true;
+  r.result.plan_age_s = 0.3;
+  r.result.deviation_m = 0.1;
+  r.result.plan_id = 99;
+  Setpoint s;
+  s.position_enu_m = {1, 2, 3};
+  s.acceleration_enu_m_s2 = Vec3::Constant(kNaN);
+  s.yaw_rad = 0.5;
+  r.result.setpoint = s;
+  return r;
+}
+
+template <class Msg, class Core>
+Msg message(const Core& core) {
+  Msg msg;
+  to_idl(core, msg);
+  return msg;
+}
+
+TEST(SafetyStateMessage, RoundTripsWithUncontrolledFields) {
+  const GateReport in = report();
+  const auto out = from_idl(message<StateMsg>(in));
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->stamp_s, in.stamp_s);
+  EXPECT_EQ(out->caused_by_s, in.caused_by_s);
+  EXPECT_EQ(out->odometry_age_s, in.odometry_age_s);
+  EXPECT_TRUE(out->autopilot.armed);
+  EXPECT_TRUE(out->autopilot.offboard);
+  EXPECT_EQ(out->result.mode, in.result.mode);
+  EXPECT_EQ(out->result.reason, in.result.reason);
+  EXPECT_EQ(out->result.phase, in.result.phase);
+  EXPECT_EQ(out->result.request, in.result.request);
+  EXPECT_EQ(out->result.command_result, in.result.command_result);
+  EXPECT_EQ(out->result.command_id, in.result.command_id);
+  EXPECT_TRUE(out->result.heartbeat);
+  EXPECT_EQ(out->result.plan_age_s, in.result.plan_age_s);
+  EXPECT_EQ(out->result.deviation_m, in.result.deviation_m);
+  EXPECT_EQ(out->result.plan_id, in.result.plan_id);
+  ASSERT_TRUE(out->result.setpoint);
+  EXPECT_EQ(out->result.setpoint->position_enu_m, Vec3(1, 2, 3));
+  EXPECT_TRUE(std::isnan(out->result.setpoint->acceleration_enu_m_s2.x()));
+  EXPECT_EQ(out->result.setpoint->yaw_rad, 0.5);
+}
+
+TEST(SafetyStateMessage, ASilentGateHasNoSetpoint) {
+  const auto out = from_idl(message<StateMsg>(GateReport{}));
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_FALSE(out->result.setpoint);
+  EXPECT_EQ(out->result.mode, SafetyMode::kSilent);
+}
+
+TEST(SafetyStateMessage, RefusesEachBadField) {
+  using M = StateMsg;
+  testing::expect_each_refused<M>(
+      message<M>(report()),
+      testing::header_faults<M>() +
+          std::vector<testing::PlantedFault<M>>{
+              {"caused_by", [](M& m) { m.caused_by().nanosec(2'000'000'000u); }},
+              {"mode", [](M& m) { m.mode(5); }},
+              {"reason", [](M& m) { m.reason(10); }},
+              {"phase", [](M& m) { m.phase(6); }},
+              {"request", [](M& m) { m.request(5); }},
+              {"command_result", [](M& m) { m.command_result(5); }},
+              {"plan_age_s", [](M& m) { m.plan_age_s(kNaN); }},
+              {"deviation_m", [](M& m) { m.deviation_m(kInf); }},
+              {"odometry_age_s", [](M& m) { m.odometry_age_s(kNaN); }},
+              {"position_m", [](M& m) { m.position_m()[0] = kInf; }},
+              {"velocity_mps", [](M& m) { m.velocity_mps()[0] = 1e3; }},
+              {"yaw_rad", [](M& m) { m.yaw_rad(-kInf); }},
+          },
+      [](const M& m) { return from_idl(m); });
+}
+
+TEST(MissionCommandMessage, RoundTripsAndKeepsTheLease) {
+  const MissionCommand in{.id = 5, .stamp_s = 2.5, .order = MissionOrder::kLand};
+  CommandMsg msg;
+  msg.lease_id("lease");
+  to_idl(in, msg);
+  EXPECT_STREQ(msg.lease_id().c_str(), "lease");
+  const auto out = from_idl(msg);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->id, in.id);
+  EXPECT_EQ(out->stamp_s, in.stamp_s);
+  EXPECT_EQ(out->order, in.order);
+}
+
+TEST(MissionCommandMessage, RefusesEachBadField) {
+  using M = CommandMsg;
+  testing::expect_each_refused<M>(
+      message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kStop}),
+      {
+          {"header.stamp", [](M& m) { m.header().stamp().sec(-1); }},
+          {"command", [](M& m) { m.command(6); }},
+          {"id", [](M& m) { m.id(0); }},
+      },
+      [](const M& m) { return from_idl(m); });
+}
+
+}  // namespace
+}  // namespace foretrack
