@@ -115,7 +115,7 @@ class LookingAhead {
     return view;
   }
 
-  void turn_waypoint(const Vec3& target, const Sector& sector) {
+  void turn_waypoint(const Vec3& target, const ViewSector& sector) {
     const double reach_m =
         kTurnReachShare * context_.params.limits.speed_max_m_s * context_.params.horizon.step_s;
     const Vec3 waypoint = out_.way.points.back();
@@ -155,7 +155,7 @@ class LookingAhead {
     if (k + 1 < out_.views[i].size()) {
       const int owner = same_place(i, k + 1);
       const View& next_view = out_.views[owner < 0 ? i : owner][k + 1];
-      const Sector& next = next_view.visible;
+      const ViewSector& next = next_view.visible;
       sample.has_next = next_view.seen;
       sample.next_target_enu_m = path.positions_enu_m[k + 1];
       sample.next_bisector_rad = next.bisector_rad;

@@ -12,8 +12,8 @@ namespace foretrack {
 /// V_k and V̂_k of one z_k.
 struct View {
   bool seen = false;
-  Sector visible;  // V_k
-  Sector shrunk;   // V̂_k
+  ViewSector visible;  // V_k
+  ViewSector shrunk;   // V̂_k
 };
 
 /// Owned by the caller and reused.

@@ -52,7 +52,7 @@ class RingSight {
 }  // namespace
 
 bool visible_sector(const SearchContext& context, const Vec3& target_enu_m, const Vec3& waypoint,
-                    Sector& sector) {
+                    ViewSector& sector) {
   const Vec2 offset = (waypoint - target_enu_m).head<2>();
   const RingSight sight(context, target_enu_m,
                         std::clamp(offset.norm(), context.params.place.distance_low_m,
@@ -70,8 +70,8 @@ bool visible_sector(const SearchContext& context, const Vec3& target_enu_m, cons
   return true;
 }
 
-SectorMargins intention_margins(const Sector& sector, double target_heading_rad, double score_left,
-                                double score_right, const PlaceParams& params) {
+SectorMargins intention_margins(const ViewSector& sector, double target_heading_rad,
+                                double score_left, double score_right, const PlaceParams& params) {
   // 1: the vehicle is ahead of the target, 0: behind it.
   const double ahead = 0.5 * (1.0 + std::cos(sector.bisector_rad - target_heading_rad));
   const double counter_clockwise = ahead * score_left + (1.0 - ahead) * score_right;
@@ -80,7 +80,7 @@ SectorMargins intention_margins(const Sector& sector, double target_heading_rad,
           params.margin_min_rad + params.margin_extra_rad * clockwise};
 }
 
-Sector shrink(const Sector& sector, const SectorMargins& margins, double share_max) {
+ViewSector shrink(const ViewSector& sector, const SectorMargins& margins, double share_max) {
   const double sum_rad = margins.counter_clockwise_rad + margins.clockwise_rad;
   const double most_rad = share_max * 2.0 * sector.half_angle_rad;
   const double scale = sum_rad > most_rad ? most_rad / sum_rad : 1.0;
@@ -91,7 +91,7 @@ Sector shrink(const Sector& sector, const SectorMargins& margins, double share_m
 }
 
 Vec3 rotate_into(const SearchContext& context, const Vec3& target_enu_m, const Vec3& waypoint,
-                 const Sector& sector, double reach_m) {
+                 const ViewSector& sector, double reach_m) {
   const Vec2 offset = (waypoint - target_enu_m).head<2>();
   const double radius_m = offset.norm(), angle_rad = yaw_of(offset);
   const double off_rad = wrap_angle(angle_rad - sector.bisector_rad);

@@ -6,7 +6,7 @@
 namespace foretrack {
 
 /// The directions within half_angle_rad of the bisector; angles in the world's plane.
-struct Sector {
+struct ViewSector {
   double bisector_rad = 0.0;
   double half_angle_rad = 0.0;
   bool contains(double angle_rad) const {
@@ -25,21 +25,21 @@ struct SectorMargins {
 /// not seen. Edges are found to a quarter of a ray's step. Cost: nothing is cast if the whole disc
 /// is free; else about 2 · sector_steps rays.
 bool visible_sector(const SearchContext& context, const Vec3& target_enu_m, const Vec3& waypoint,
-                    Sector& sector);
+                    ViewSector& sector);
 
 /// θ_εl and θ_εr as sides of a sector. The left margin lies on the target's left: seen from above
 /// that is the clockwise side of a vehicle behind the target, the other one of a vehicle ahead.
 /// Scores are Π_tl and Π_tr.
-SectorMargins intention_margins(const Sector& sector, double target_heading_rad, double score_left,
-                                double score_right, const PlaceParams& params);
+SectorMargins intention_margins(const ViewSector& sector, double target_heading_rad,
+                                double score_left, double score_right, const PlaceParams& params);
 
 /// V̂_k: the sector without its margins, which are scaled down together if they would take more than
 /// margin_share_max of it.
-Sector shrink(const Sector& sector, const SectorMargins& margins, double share_max);
+ViewSector shrink(const ViewSector& sector, const SectorMargins& margins, double share_max);
 
 /// The waypoint on the nearest direction inside the sector, at its distance from the target, at
 /// most reach_m away. Unchanged if the way there is not clear or the target not seen from there.
 Vec3 rotate_into(const SearchContext& context, const Vec3& target_enu_m, const Vec3& waypoint,
-                 const Sector& sector, double reach_m);
+                 const ViewSector& sector, double reach_m);
 
 }  // namespace foretrack
