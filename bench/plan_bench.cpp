@@ -34,7 +34,7 @@ constexpr Case kCases[] = {
 
 struct Options {
   bool json = false;
-  bool hedging = true, margins = true;
+  PlanningParams params;
   int replans = 1000;
   int seeds = 1;
   double speed_m_s = 1.5;
@@ -87,9 +87,6 @@ void run(const Case& c, const Options& options, std::uint64_t seed, Outcome& out
                                      Vec3(20.0, 20.0, 5.0), middle);
   const GridMap map = known_map(world, 0.15);
   testing::Walker walker(world, Vec2::Zero(), options.speed_m_s, seed + 17);
-  PlanningParams params;
-  params.horizon.hedging = options.hedging;
-  params.horizon.intention_margins = options.margins;
   PlanningState planning;
   planning.clock_s = cpu_s;
   PredictionState prediction;
@@ -111,7 +108,7 @@ void run(const Case& c, const Options& options, std::uint64_t seed, Outcome& out
       const PredictionResult& predicted = predict(prediction, target, map, prediction_params);
       const double predicted_s = cpu_s();
       PlanInput input{now_s, vehicle, target, &predicted.intention, &predicted.prediction, &map};
-      const PlanResult& result = plan(planning, input, params);
+      const PlanResult& result = plan(planning, input, options.params);
       const double end_s = cpu_s();
       record(result, 1e3 * (predicted_s - start_s), 1e3 * (end_s - start_s), out);
     }
@@ -168,8 +165,12 @@ Options parse(int argc, char** argv) {
     const std::string arg = argv[i];
     const bool more = i + 1 < argc;
     if (arg == "--json") options.json = true;
-    if (arg == "--no-hedging") options.hedging = false;
-    if (arg == "--no-margins") options.margins = false;
+    if (arg == "--set" && i + 2 < argc) {
+      const std::string fault = set_param(rows(options.params), argv[i + 1], argv[i + 2]);
+      if (!fault.empty()) std::fprintf(stderr, "%s\n", fault.c_str());
+      i += 2;
+      continue;
+    }
     if (arg == "--replans" && more) options.replans = std::atoi(argv[++i]);
     if (arg == "--seeds" && more) options.seeds = std::atoi(argv[++i]);
     if (arg == "--speed" && more) options.speed_m_s = std::atof(argv[++i]);
