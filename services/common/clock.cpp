@@ -12,6 +12,12 @@
 namespace foretrack {
 namespace {
 
+constexpr double kFutureSlack_s = 0.5;
+
+bool is_well_formed(const builtin_interfaces::msg::Time& time) {
+  return time.sec() >= 0 && time.nanosec() < 1000000000u;
+}
+
 template <class C>
 double seconds_of() {
   return std::chrono::duration<double>(C::now().time_since_epoch()).count();
@@ -37,7 +43,9 @@ builtin_interfaces::msg::Time to_stamp(double seconds) {
 
 Clock::Clock(Node& node, bool simulated) : simulated_(simulated) {
   if (!simulated) return;
-  auto reader = std::make_shared<Reader<topics::Clock>>(node);
+  auto reader = std::make_shared<Reader<topics::Clock>>(node, [](const auto& sample) {
+    return is_well_formed(sample.clock()) ? nullptr : "malformed clock";
+  });
   reader_ = &reader->core();
   take_ = [this, reader] {
     if (const auto* sample = reader->take_newest()) simulated_s_ = to_seconds(sample->clock());
@@ -50,6 +58,13 @@ double Clock::now_s() const {
 
 double Clock::steady_s() const {
   return simulated_ ? simulated_s_ : seconds_of<std::chrono::steady_clock>();
+}
+
+const char* Clock::fault_of(const builtin_interfaces::msg::Time& stamp) const {
+  if (!is_well_formed(stamp)) return "malformed stamp";
+  const double now = now_s();
+  const bool known = now > 0.0;  // simulated time begins with the first clock sample
+  return known && to_seconds(stamp) > now + kFutureSlack_s ? "stamp in the future" : nullptr;
 }
 
 void Clock::update() {

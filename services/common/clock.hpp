@@ -25,6 +25,8 @@ class Clock {
   builtin_interfaces::msg::Time now() const { return to_stamp(now_s()); }
   /// For periods: does not jump when the system's clock is set.
   double steady_s() const;
+  /// Why a stamp cannot be right: malformed, or more than half a second ahead; null: it can.
+  const char* fault_of(const builtin_interfaces::msg::Time& stamp) const;
   /// Takes the newest clock sample. The loop calls it.
   void update();
   /// That the loop wakes on; null by the system's clock.

@@ -109,9 +109,9 @@ void WriterCore::Dds::on_publication_matched(dds::DataWriter*,
 
 void WriterCore::Dds::on_offered_incompatible_qos(dds::DataWriter*,
                                                   const dds::OfferedIncompatibleQosStatus& s) {
-  stats.incompatible_qos = s.total_count;
   node.report("a reader of " + stats.topic + " asks for more " + policy_name(s.last_policy_id) +
               " than profile '" + stats.profile + "' offers; it gets nothing");
+  stats.incompatible_qos = s.total_count;
 }
 
 void ReaderCore::Dds::on_subscription_matched(dds::DataReader*,
@@ -121,9 +121,9 @@ void ReaderCore::Dds::on_subscription_matched(dds::DataReader*,
 
 void ReaderCore::Dds::on_requested_incompatible_qos(dds::DataReader*,
                                                     const dds::RequestedIncompatibleQosStatus& s) {
-  stats.incompatible_qos = s.total_count;
   node.report("a writer of " + stats.topic + " offers less " + policy_name(s.last_policy_id) +
               " than profile '" + stats.profile + "' asks for; nothing is received from it");
+  stats.incompatible_qos = s.total_count;
 }
 
 void ReaderCore::Dds::on_sample_lost(dds::DataReader*, const dds::SampleLostStatus& s) {

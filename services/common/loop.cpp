@@ -45,7 +45,8 @@ void Loop::run_timer(Timer& timer) {
   const bool jumped_back = timer.next_s > now + 2.0 * timer.period_s;
   if (timer.next_s < 0.0 || jumped_back) timer.next_s = now;
   if (now < timer.next_s) return;
-  timer.next_s = std::max(timer.next_s + timer.period_s, now);
+  timer.next_s += timer.period_s;
+  if (timer.next_s <= now) timer.next_s = now + timer.period_s;
   guarded(timer.callback);
 }
 

@@ -25,21 +25,30 @@ class Loop {
  public:
   Loop(Node& node, Stop& stop) : node_(node), stop_(stop) {}
 
-  /// Calls back with the newest valid sample, once a wake-up.
+  /// Calls back with the newest good sample, once a wake-up.
   template <class Topic, class Callback>
   void on_newest(Reader<Topic>& reader, Callback callback) {
-    handlers_.push_back([&reader, callback = std::move(callback)]() mutable {
+    add(reader, [&reader, callback]() mutable {
       if (const auto* sample = reader.take_newest()) callback(*sample);
     });
-    wake_on(reader.core());
+  }
+  /// The same, converted: see Reader.
+  template <class Topic, class Convert, class Callback>
+  void on_newest(Reader<Topic>& reader, Convert convert, Callback callback) {
+    add(reader, [&reader, convert, callback]() mutable {
+      if (auto value = reader.take_newest_as(convert)) callback(std::move(*value));
+    });
   }
 
-  /// Calls back with every valid sample, oldest first.
+  /// Calls back with every good sample, oldest first.
   template <class Topic, class Callback>
   void on_each(Reader<Topic>& reader, Callback callback) {
-    handlers_.push_back(
-        [&reader, callback = std::move(callback)]() mutable { reader.take_each(callback); });
-    wake_on(reader.core());
+    add(reader, [&reader, callback]() mutable { reader.take_each(callback); });
+  }
+  /// The same, converted: see Reader.
+  template <class Topic, class Convert, class Callback>
+  void on_each(Reader<Topic>& reader, Convert convert, Callback callback) {
+    add(reader, [&reader, convert, callback]() mutable { reader.take_each_as(convert, callback); });
   }
 
   /// Every period by the node's clock: steady, or simulated. A late timer skips, it does not catch
@@ -60,7 +69,11 @@ class Loop {
     bool wall;
     std::function<void()> callback;
   };
-  void wake_on(ReaderCore& reader) { wakers_.push_back(&reader); }
+  template <class Topic>
+  void add(Reader<Topic>& reader, std::function<void()> handler) {
+    handlers_.push_back(std::move(handler));
+    wakers_.push_back(&reader.core());
+  }
   void guarded(const std::function<void()>& callback);
   void wake_up();
   void run_timer(Timer& timer);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "services/common/endpoint.hpp"
 #include "services/common/node.hpp"
-#include "services/common/validate.hpp"
 
 namespace foretrack {
 
@@ -15,64 +16,82 @@ template <class T>
 using Validation = std::function<const char*(const T&)>;
 
 /// Include the message's generated header where this is used.
+///
+/// A sample is refused, and counted by reason, if its bytes are malformed, if its header's stamp is
+/// malformed or in the future, if `also` says so, or if it does not convert. A conversion is a
+/// callable on the sample (`from_idl`) that returns what has `operator bool`, `operator*` and
+/// `fault().field`; it may move from the sample, so that big ones are not copied.
 template <class Topic>
 class Reader {
  public:
   using Type = typename Topic::Type;
+  template <class Convert>
+  using Value = std::decay_t<decltype(*std::declval<std::invoke_result_t<Convert&, Type>&>())>;
 
-  /// `also` is asked after validate(sample) of validate.hpp.
   explicit Reader(Node& node, Validation<Type> also = nullptr)
       : node_(&node),
         core_(&node.add_reader(Topic::info, type_ops<Type>())),
         also_(std::move(also)) {}
 
-  /// Takes all that came and returns the newest valid one; null if there is none. It stays valid
+  /// Takes all that came and returns the newest good one; null if there is none. It stays valid
   /// until the next take.
   const Type* take_newest() {
     bool found = false;
-    while (take_valid()) found = true;
+    take_each([&](Type& sample) {
+      std::swap(newest_, sample);
+      found = true;
+    });
     return found ? &newest_ : nullptr;
   }
 
-  /// Every valid sample that came, oldest first.
-  template <class Callback>
-  void take_each(Callback&& callback) {
-    while (take_valid()) callback(std::as_const(newest_));
+  /// The same, converted.
+  template <class Convert>
+  std::optional<Value<Convert>> take_newest_as(Convert&& convert) {
+    std::optional<Value<Convert>> newest;
+    take_each_as(convert, [&](auto&& value) { newest = std::move(value); });
+    return newest;
   }
 
-  /// The last valid sample that was taken; null if there was none yet.
-  const Type* newest() const { return core_->stats.samples > 0 ? &newest_ : nullptr; }
-  /// Seconds since it came; −1: none yet.
+  /// Every good sample that came, oldest first.
+  template <class Callback>
+  void take_each(Callback&& callback) {
+    while (core_->take(&taken_)) {
+      if (!is_good()) continue;
+      core_->stats.accept();
+      callback(taken_);
+    }
+  }
+
+  template <class Convert, class Callback>
+  void take_each_as(Convert&& convert, Callback&& callback) {
+    while (core_->take(&taken_)) {
+      if (!is_good()) continue;
+      auto converted = convert(std::move(taken_));
+      if (!converted) {
+        core_->stats.reject(converted.fault().field);
+        continue;
+      }
+      core_->stats.accept();
+      callback(std::move(*converted));
+    }
+  }
+
+  /// Seconds since the last good sample; −1: none yet.
   double age_s() const { return core_->stats.age_s(); }
-
-  /// For what only the service can judge, e.g. a failed conversion. Counted by reason.
+  /// For what only the service can judge. Counted by reason.
   void reject(std::string_view reason) { core_->stats.reject(reason); }
-
   int writers() const { return core_->stats.peers; }
   const EndpointStats& stats() const { return core_->stats; }
   ReaderCore& core() { return *core_; }
 
  private:
-  bool take_valid() {
-    while (core_->take(&taken_)) {
-      if (const char* why = fault_of(taken_)) {
-        core_->stats.reject(why);
-        continue;
-      }
-      core_->stats.accept();
-      std::swap(newest_, taken_);
-      return true;
-    }
-    return false;
-  }
-
-  const char* fault_of(const Type& sample) const {
-    if constexpr (requires { validate(sample); })
-      if (const char* why = validate(sample)) return why;
-    if constexpr (requires { sample.header().stamp(); })
-      if (const char* why = validate_stamp(sample.header().stamp(), node_->clock().now_s()))
-        return why;
-    return also_ ? also_(sample) : nullptr;
+  bool is_good() {
+    const char* why = nullptr;
+    if constexpr (requires { taken_.header().stamp(); })
+      why = node_->clock().fault_of(taken_.header().stamp());
+    if (!why && also_) why = also_(taken_);
+    if (why) core_->stats.reject(why);
+    return !why;
   }
 
   Node* node_;

@@ -114,4 +114,10 @@ class RawPeer {
   dds::Subscriber* subscriber_;
 };
 
+inline int readers_of(dds::DataWriter* writer) {
+  dds::PublicationMatchedStatus status;
+  writer->get_publication_matched_status(status);
+  return status.current_count;
+}
+
 }  // namespace foretrack::testing

@@ -118,7 +118,7 @@ TEST(Service, FollowsSimulatedTime) {
   ASSERT_TRUE(step_to(5.0));
   const int before = ticks;
   ASSERT_TRUE(step_to(5.1));
-  EXPECT_EQ(ticks, before + 1);
+  EXPECT_EQ(ticks, before + 1) << "one period of simulated time";
   EXPECT_TRUE(step_to(1.0)) << "a restarted simulator starts the timers again";
 }
 
