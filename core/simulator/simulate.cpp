@@ -115,7 +115,8 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   if (!(dt_s > 0.0)) throw std::invalid_argument("simulate: dt_s must be greater than 0");
   const Scenario& scenario = state.scenario;
   const double height_m = scenario.target.person.height_m;
-  const Setpoint& setpoint = update_autopilot(state.autopilot, input, state.quadrotor.vehicle);
+  const Setpoint& setpoint =
+      update_autopilot(state.autopilot, input, state.quadrotor.vehicle, dt_s);
   fly_setpoint(scenario.quadrotor, scenario.wind, state.quadrotor, setpoint,
                state.autopilot.status.armed, dt_s);
   advance(state.person, dt_s);

@@ -1,0 +1,17 @@
+// A lock-step flight of the whole tracker: what `foretrack fly` and the benchmarks call.
+#pragma once
+
+#include "core/tracker/tracker.hpp"
+#include "services/flight/fly_pilot.hpp"
+
+namespace foretrack {
+
+/// The limits and the distance band of the metrics are those that the planner was given.
+MetricParams metric_params_of(const TrackerParams& params);
+
+/// Flies the scenario with the tracker. The same scenario and parameters give the same rows, on any
+/// machine with the same program.
+FlightResult fly(const Scenario& scenario, const TrackerParams& params,
+                 const FlightOptions& options = {});
+
+}  // namespace foretrack
