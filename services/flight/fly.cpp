@@ -7,7 +7,9 @@ namespace foretrack {
 namespace {
 
 AutopilotInput command_of(const GateResult& gate) {
-  AutopilotInput command{.heartbeat = gate.heartbeat, .setpoint = gate.setpoint};
+  AutopilotInput command;
+  command.heartbeat = gate.heartbeat;
+  command.setpoint = gate.setpoint;
   switch (gate.request) {
     case AutopilotRequest::kNone:
       break;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "services/config/share.hpp"
+#include "services/share/share.hpp"
 
 extern char** environ;
 

@@ -1,0 +1,27 @@
+// The subcommands of the program. A command adds its options to its CLI::App and returns what to
+// run once they are parsed; the returned number is the program's exit status.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <vector>
+
+namespace foretrack {
+
+struct Command {
+  const char* name;
+  const char* summary;
+  std::function<int()> (*prepare)(CLI::App& app);
+};
+
+/// Those that need no DDS: fly, params, scenarios.
+std::vector<Command> flight_commands();
+
+/// Those that speak DDS; none in a build without it.
+std::vector<Command> service_commands();
+
+std::function<int()> prepare_fly(CLI::App& app);
+std::function<int()> prepare_params(CLI::App& app);
+std::function<int()> prepare_scenarios(CLI::App& app);
+
+}  // namespace foretrack

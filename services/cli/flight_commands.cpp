@@ -1,0 +1,12 @@
+#include "services/cli/commands.hpp"
+
+namespace foretrack {
+
+std::vector<Command> flight_commands() {
+  return {
+      {"fly", "fly a scenario in lock-step, without DDS, and measure it", prepare_fly},
+      {"params", "the parameters of the stages, with units, ranges and meanings", prepare_params},
+      {"scenarios", "the scenarios that ship with the program", prepare_scenarios}};
+}
+
+}  // namespace foretrack

@@ -1,0 +1,9 @@
+#include "services/cli/commands.hpp"
+
+namespace foretrack {
+
+std::vector<Command> service_commands() {
+  return {};
+}
+
+}  // namespace foretrack
