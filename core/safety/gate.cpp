@@ -26,8 +26,17 @@ void take_command(GateState& s, const GateInput& in, const SafetyParams& p) {
   if (in.command->id > s.last_command_id) s.last_command_id = in.command->id;
 }
 
-// A new plan waits until its start, so that the switch is where the planner made it continuous.
+void start_next(GateState& s, double now_s) {
+  if (!s.has_next || now_s < s.next.start_s - 1e-9) return;
+  std::swap(s.flown, s.next);
+  s.has_flown = true;
+  s.has_next = false;
+}
+
+// A new plan waits until its start, so that the switch is where the planner made it continuous. The
+// one that waits starts before a newer one takes its place: replans may come as often as they lead.
 void take_plan(GateState& s, const GateInput& in) {
+  start_next(s, in.now_s);
   if (in.plan) {
     s.last_plan_s = in.now_s;
     const bool is_new = !in.plan->pieces.empty() && !(s.has_flown && in.plan->id == s.flown.id) &&
@@ -37,11 +46,7 @@ void take_plan(GateState& s, const GateInput& in) {
       s.has_next = true;
     }
   }
-  if (s.has_next && in.now_s >= s.next.start_s) {
-    std::swap(s.flown, s.next);
-    s.has_flown = true;
-    s.has_next = false;
-  }
+  start_next(s, in.now_s);
 }
 
 Rung tracking_rung(const GateState& s, const GateInput& in, const GateResult& r,
