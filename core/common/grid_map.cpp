@@ -8,6 +8,8 @@
 namespace foretrack {
 namespace {
 
+using Vec3i = Eigen::Vector3i;
+
 // Visits the cells on the segment in order (Amanatides and Woo 1987); stops when visit returns
 // false. Returns the distance travelled at the stop, or the segment's length.
 template <class Visit>
@@ -53,28 +55,30 @@ Reach reach_of(double resolution_m) {
   return {cells, gap_squared(cells)};
 }
 
-// Squared distances along x.
-void sweep_rows(const GridMap& map, bool unknown_too, const Reach& reach,
-                std::vector<std::int16_t>& out) {
-  const int nx = map.size.x();
-  std::array<std::int16_t, 64> squares;
-  for (int d = 0; d <= reach.cells; ++d) squares[d] = gap_squared(d);
-  const std::size_t row_count = map.cell_count() / static_cast<std::size_t>(nx);
-  for (std::size_t r = 0; r < row_count; ++r) {
-    const std::uint8_t* in = map.cells.data() + r * nx;
-    std::int16_t* d = out.data() + r * nx;
-    const auto is_source = [&](int x) {
-      return unknown_too ? in[x] != 0 : in[x] == static_cast<std::uint8_t>(Cell::kOccupied);
-    };
-    int run = reach.cells;
-    for (int x = 0; x < nx; ++x) {
-      run = is_source(x) ? 0 : std::min(run + 1, reach.cells);
-      d[x] = static_cast<std::int16_t>(run);
+// Squared distances along z: up and down, row by row of x.
+void sweep_columns(const GridMap& map, bool unknown_too, const Reach& reach,
+                   std::vector<std::int16_t>& out) {
+  const int layer = map.size.x() * map.size.y(), nz = map.size.z();
+  const auto far = static_cast<std::int16_t>(reach.cells);
+  const auto free = static_cast<std::uint8_t>(Cell::kFree);
+  const auto unknown = static_cast<std::uint8_t>(unknown_too ? Cell::kFree : Cell::kUnknown);
+  for (int z = 0; z < nz; ++z) {
+    const std::uint8_t* in = map.cells.data() + static_cast<std::size_t>(z) * layer;
+    std::int16_t* d = out.data() + static_cast<std::size_t>(z) * layer;
+    for (int i = 0; i < layer; ++i) {
+      const std::int16_t below = z > 0 ? d[i - layer] : far;
+      const auto next = static_cast<std::int16_t>(below < far ? below + 1 : far);
+      d[i] = (in[i] == free) | (in[i] == unknown) ? next : std::int16_t{0};
     }
-    for (int x = nx - 1; x >= 0; --x) {
-      run = std::min<int>(d[x], std::min(run + 1, reach.cells));
-      d[x] = squares[run];
-    }
+  }
+  for (int z = nz - 2; z >= 0; --z) {
+    std::int16_t* d = out.data() + static_cast<std::size_t>(z) * layer;
+    for (int i = 0; i < layer; ++i)
+      d[i] = std::min<std::int16_t>(d[i], static_cast<std::int16_t>(d[i + layer] + 1));
+  }
+  for (std::int16_t& d : out) {
+    const auto gap = static_cast<std::int16_t>(2 * d - 1);
+    d = d == 0 ? std::int16_t{0} : static_cast<std::int16_t>(gap * gap);
   }
 }
 
@@ -90,58 +94,69 @@ std::int16_t lower(std::int16_t* row, const std::int16_t* before, const std::int
   return greatest;
 }
 
-// Squared distances along one more axis: min over o of in[i + o·stride] + gap(o)², row by row of x,
-// outwards until no farther row can lower anything.
-void spread(const std::vector<std::int16_t>& in, std::vector<std::int16_t>& out, const GridMap& map,
-            int axis, const Reach& reach) {
-  const int nx = map.size.x(), ny = map.size.y(), nz = map.size.z();
-  const int count = axis == 1 ? ny : nz;
-  const std::ptrdiff_t stride = axis == 1 ? nx : static_cast<std::ptrdiff_t>(nx) * ny;
-  for (int z = 0; z < nz; ++z)
-    for (int y = 0; y < ny; ++y) {
-      const std::ptrdiff_t row = (static_cast<std::ptrdiff_t>(z) * ny + y) * nx;
-      const int here = axis == 1 ? y : z;
-      const std::int16_t* source = in.data() + row;
-      std::int16_t* target = out.data() + row;
-      std::copy_n(source, nx, target);
-      std::int16_t greatest = reach.far;
-      for (int o = 1; o < reach.cells && gap_squared(o) < greatest; ++o) {
-        if (here < o && here + o >= count) break;
-        // At a side of the grid the other neighbour stands for both.
-        const std::int16_t* before = source + (here >= o ? -o : o) * stride;
-        const std::int16_t* after = source + (here + o < count ? o : -o) * stride;
-        greatest = lower(target, before, after, gap_squared(o), nx);
-      }
-    }
+// Adds the squares along y to a row: min over o of in[y + o] + gap(o)², outwards until no farther
+// row can lower anything.
+void spread_along_y(const std::int16_t* source, std::int16_t* target, int y, const Vec3i& size,
+                    const Reach& reach) {
+  const int nx = size.x(), ny = size.y();
+  std::copy_n(source, nx, target);
+  std::int16_t greatest = reach.far;
+  for (int o = 1; o < reach.cells && gap_squared(o) < greatest; ++o) {
+    if (y < o && y + o >= ny) return;
+    // At a side of the grid the other neighbour stands for both.
+    const std::int16_t* before = source + static_cast<std::ptrdiff_t>(y >= o ? -o : o) * nx;
+    const std::int16_t* after = source + static_cast<std::ptrdiff_t>(y + o < ny ? o : -o) * nx;
+    greatest = lower(target, before, after, gap_squared(o), nx);
+  }
 }
 
-void transform(const GridMap& map, bool unknown_too, DistanceWorkspace& w,
-               std::vector<std::uint8_t>& out_cm) {
-  const Reach reach = reach_of(map.resolution_m);
-  w.a.resize(map.cell_count());
-  w.b.resize(map.cell_count());
-  out_cm.resize(map.cell_count());
-  sweep_rows(map, unknown_too, reach, w.a);
-  spread(w.a, w.b, map, 1, reach);
-  spread(w.b, w.a, map, 2, reach);
-  w.centimetres.resize(reach.far + 1);
+// The same along x, in a row. `padded` has `reach` far values on both sides.
+void spread_along_x(std::int16_t* row, std::vector<std::int16_t>& padded, int nx,
+                    const Reach& reach) {
+  std::int16_t* middle = padded.data() + reach.cells;
+  std::copy_n(row, nx, middle);
+  std::int16_t greatest = reach.far;
+  for (int o = 1; o < reach.cells && gap_squared(o) < greatest; ++o)
+    greatest = lower(row, middle - o, middle + o, gap_squared(o), nx);
+}
+
+void fill_table(double resolution_m, const Reach& reach, std::vector<std::uint8_t>& centimetres) {
+  centimetres.resize(static_cast<std::size_t>(reach.far) + 1);
   for (int d2 = 0; d2 <= reach.far; ++d2) {
-    const double cm = std::floor(50.0 * map.resolution_m * std::sqrt(static_cast<double>(d2)));
-    w.centimetres[d2] = static_cast<std::uint8_t>(std::min(255.0, cm));
+    const double cm = std::floor(50.0 * resolution_m * std::sqrt(static_cast<double>(d2)));
+    centimetres[d2] = static_cast<std::uint8_t>(std::min(255.0, cm));
   }
-  for (std::size_t i = 0; i < out_cm.size(); ++i) out_cm[i] = w.centimetres[w.a[i]];
+}
+
+void transform(const GridMap& map, bool unknown_too, const Reach& reach, DistanceWorkspace& w,
+               std::vector<std::uint8_t>& out_cm) {
+  const int nx = map.size.x(), ny = map.size.y(), nz = map.size.z();
+  w.columns.resize(map.cell_count());
+  w.row.resize(nx);
+  w.padded.assign(static_cast<std::size_t>(nx) + 2 * reach.cells, reach.far);
+  out_cm.resize(map.cell_count());
+  sweep_columns(map, unknown_too, reach, w.columns);
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y) {
+      const std::size_t row = map.offset_of({0, y, z});
+      spread_along_y(w.columns.data() + row, w.row.data(), y, map.size, reach);
+      spread_along_x(w.row.data(), w.padded, nx, reach);
+      for (int x = 0; x < nx; ++x) out_cm[row + x] = w.centimetres[w.row[x]];
+    }
 }
 
 }  // namespace
 
 void update_distances(GridMap& map, DistanceWorkspace& workspace) {
   if (map.empty()) return;
-  transform(map, false, workspace, map.occupied_distance_cm);
+  const Reach reach = reach_of(map.resolution_m);
+  fill_table(map.resolution_m, reach, workspace.centimetres);
+  transform(map, false, reach, workspace, map.occupied_distance_cm);
   const auto unknown = static_cast<std::uint8_t>(Cell::kUnknown);
   if (std::find(map.cells.begin(), map.cells.end(), unknown) == map.cells.end())
     map.unfree_distance_cm = map.occupied_distance_cm;
   else
-    transform(map, true, workspace, map.unfree_distance_cm);
+    transform(map, true, reach, workspace, map.unfree_distance_cm);
 }
 
 bool line_of_sight(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m) {

@@ -64,7 +64,7 @@ struct GridMap {
 /// Fills both distance grids from the cells (exact Euclidean transform, saturated). Cost: linear in
 /// the cells. `workspace` is kept between calls so that nothing is allocated after the first one.
 struct DistanceWorkspace {
-  std::vector<std::int16_t> a, b;
+  std::vector<std::int16_t> columns, row, padded;
   std::vector<std::uint8_t> centimetres;
 };
 void update_distances(GridMap& map, DistanceWorkspace& workspace);

@@ -98,35 +98,46 @@ struct Scan {
   // Marks the cells from the camera up to, not including, the cell at the ray's end (Amanatides
   // and Woo 1987). Stops at the side of the box: it is convex.
   void pass(const Vec3& direction, double length_m) {
-    const Vec3 start = T_world_camera.translation();
-    const Vec3i size = state.map.size;
-    const std::array<std::ptrdiff_t, 3> strides = {
-        1, size.x(), static_cast<std::ptrdiff_t>(size.x()) * size.y()};
-    Vec3i cell = state.map.index_of(start);
+    const Vec3i cell = state.map.index_of(T_world_camera.translation());
     if (!state.map.contains(cell)) return;
-    std::array<double, 3> next, delta;
-    std::array<std::ptrdiff_t, 3> step;
-    std::array<int, 3> left;  // cells to the side of the box
-    for (int a = 0; a < 3; ++a) {
-      const bool forward = direction[a] >= 0.0;
-      const double face =
-          state.map.origin_enu_m[a] + state.map.resolution_m * (cell[a] + (forward ? 1 : 0));
-      const bool still = std::abs(direction[a]) < 1e-12;
-      delta[a] = still ? std::numeric_limits<double>::infinity()
-                       : state.map.resolution_m / std::abs(direction[a]);
-      next[a] = still ? delta[a] : (face - start[a]) / direction[a];
-      step[a] = forward ? strides[a] : -strides[a];
-      left[a] = forward ? size[a] - 1 - cell[a] : cell[a];
-    }
+    Axis x = axis_of(0, cell, direction), y = axis_of(1, cell, direction),
+         z = axis_of(2, cell, direction);
     auto offset = static_cast<std::ptrdiff_t>(state.map.offset_of(cell));
-    for (;;) {
-      const int a = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
-      if (next[a] > length_m) return;  // the ray ends in this cell
-      mark(static_cast<std::size_t>(offset), kPassed);
-      if (left[a]-- == 0) return;
-      offset += step[a];
-      next[a] += delta[a];
-    }
+    std::uint8_t* const marks = state.marks.data();
+    const auto leave_cell = [&](Axis& axis) {
+      if (axis.next_m > length_m) return false;  // the ray ends in this cell
+      if (marks[offset] == kUntouched) mark(static_cast<std::size_t>(offset), kPassed);
+      if (axis.cells_left-- == 0) return false;
+      offset += axis.step;
+      axis.next_m += axis.delta_m;
+      return true;
+    };
+    bool inside = true;
+    while (inside)
+      if (x.next_m < y.next_m)
+        inside = x.next_m < z.next_m ? leave_cell(x) : leave_cell(z);
+      else
+        inside = y.next_m < z.next_m ? leave_cell(y) : leave_cell(z);
+  }
+
+  // A ray's way through the cells along one axis.
+  struct Axis {
+    double next_m, delta_m;  // along the ray: to the next face, between faces
+    std::ptrdiff_t step;     // in the cells' memory
+    int cells_left;          // to the side of the box
+  };
+  Axis axis_of(int a, const Vec3i& cell, const Vec3& direction) const {
+    const GridMap& map = state.map;
+    const std::ptrdiff_t strides[] = {1, map.size.x(),
+                                      static_cast<std::ptrdiff_t>(map.size.x()) * map.size.y()};
+    const bool forward = direction[a] >= 0.0;
+    const int left = forward ? map.size[a] - 1 - cell[a] : cell[a];
+    const std::ptrdiff_t step = forward ? strides[a] : -strides[a];
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    if (std::abs(direction[a]) < 1e-12) return {kNever, kNever, step, left};
+    const double face_m = map.origin_enu_m[a] + map.resolution_m * (cell[a] + (forward ? 1 : 0));
+    return {(face_m - T_world_camera.translation()[a]) / direction[a],
+            map.resolution_m / std::abs(direction[a]), step, left};
   }
 };
 
