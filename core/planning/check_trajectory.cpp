@@ -139,8 +139,9 @@ void Checker::check_clearance() {
     escaping = escaping && clearance_m < params.vehicle_radius_m;
     may_be_occupied = may_be_occupied && map.is_occupied(p);
     const bool enters_occupied = map.is_occupied(p) && !may_be_occupied;
-    const double least_m = escaping ? start_clearance_m - half_cell_m : params.vehicle_radius_m;
-    if (clearance_m < least_m || enters_occupied)
+    const bool escapes = escaping && clearance_m >= start_clearance_m - half_cell_m &&
+                         (p - start).norm() <= params.escape_reach_m;
+    if (enters_occupied || (clearance_m < params.vehicle_radius_m && !escapes))
       fault(t >= trajectory.tail_start_s ? PlanReason::kTailUnsafe : PlanReason::kClearanceViolated,
             t);
     if (t >= duration_s) break;
@@ -205,6 +206,8 @@ ParamRows rows(CheckParams& p) {
   return {
       {"vehicle_radius_m", &p.vehicle_radius_m, "m", 0.05, 2.0,
        "least distance to occupied or unknown space"},
+      {"escape_reach_m", &p.escape_reach_m, "m", 0.0, 5.0,
+       "how far from a start too near to obstacles the way may stay too near"},
       {"target_distance_min_m", &p.target_distance_min_m, "m", 0.0, 10.0,
        "least horizontal distance to the predicted target; 0: not checked"},
       {"position_tolerance_m", &p.position_tolerance_m, "m", 0.0, 1.0, "at joints"},

@@ -9,6 +9,7 @@ namespace foretrack {
 
 struct CheckParams {
   double vehicle_radius_m = 0.3;             // least distance to occupied or unknown space
+  double escape_reach_m = 1.0;               // how far a way out of too near may go
   double target_distance_min_m = 0.8;        // horizontal, to the predicted path; 0: not checked
   double position_tolerance_m = 0.02;        // joints, and the start against what is flown
   double velocity_tolerance_m_s = 0.05;      // the same
@@ -40,10 +41,12 @@ struct CheckResult {
 /// Checks, in this order: continuity with what is flown and at joints, rest at the end
 /// (kDiscontinuous); speed and acceleration by the roots of their squares' derivatives and the yaw
 /// plan's rate and acceleration, exact for piecewise constant acceleration (kLimitsViolated);
-/// distance to what is not free, at points at most half a cell apart (kClearanceViolated, or
-/// kTailUnsafe from tail_start_s on); distance to the predicted target (kTooNearTarget).
+/// distance to what is not free, at points half a cell apart or as far as their clearance proves
+/// (kClearanceViolated, or kTailUnsafe from tail_start_s on); distance to the predicted target
+/// (kTooNearTarget).
 /// A start nearer to obstacles (or to the target) than allowed is accepted as long as the distance
-/// does not fall below the start's before it is left; an occupied cell is never accepted to enter.
+/// does not fall below the start's before it is left, and the obstacles are left within
+/// escape_reach_m; an occupied cell is never accepted to enter.
 /// Throws std::invalid_argument for a trajectory without pieces. Allocates nothing.
 CheckResult check_trajectory(const PlannedTrajectory& trajectory, const CheckInputs& inputs,
                              const FlightLimits& limits, const CheckParams& params);

@@ -43,7 +43,7 @@ struct OptimizationProblem {
 
 struct OptimizerParams {
   double time_weight = 20.0;              // ρ
-  double corridor_weight = 1.0e4;         // of cubed metres
+  double corridor_weight = 3.0e5;         // of cubed metres
   double speed_weight = 1.0e2;            // of cubed (m/s)²
   double acceleration_weight = 1.0e1;     // of cubed (m/s²)²
   double visibility_weight = 2.0e3;       // of the cubed cosine, V̂_k
