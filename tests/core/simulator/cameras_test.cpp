@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+
+#include "core/simulator/depth_camera.hpp"
+#include "core/simulator/landmark_camera.hpp"
+
+namespace foretrack {
+namespace {
+
+VehicleState vehicle_at(const Vec3& p, double yaw, double pitch = 0.0, double stamp_s = 0.0) {
+  VehicleState v;
+  v.stamp_s = stamp_s;
+  v.position_enu_m = p;
+  v.q_world_body =
+      Quat(Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()));
+  return v;
+}
+PersonState person_at(double x, double y) {
+  PersonState p;
+  p.position_enu_m = {x, y, torso_height_m(1.75)};
+  return p;
+}
+LandmarkCameraParams noiseless() {
+  LandmarkCameraParams p;
+  p.noise_px = p.joint_noise_m = p.delay_s = 0.0;
+  return p;
+}
+
+TEST(LandmarkCamera, WithoutNoiseLandmarksAreTheProjectedJoints) {
+  LandmarkCamera camera = make_landmark_camera(noiseless(), 1);
+  const VehicleState vehicle = vehicle_at({0, 0, 1.5}, 0.2, 0.1);
+  PersonState person = person_at(2.5, 0.6);
+  person.body_yaw_rad = 2.0;
+  const auto observation = observe(camera, {}, vehicle, person, 1.75);
+  ASSERT_TRUE(observation);
+  const auto joints = joints_enu_m(person, 1.75);
+  const Pose T_camera_world =
+      (vehicle.T_world_body() * camera.params.camera.T_body_camera).inverse();
+  const Vec3 hips = T_camera_world * Vec3(0.5 * (joints[kLeftHip] + joints[kRightHip]));
+  for (int i = 0; i < kLandmarkCount; ++i) {
+    const Landmark& landmark = observation->landmarks[i];
+    if (landmark.visibility < 0.5) continue;
+    const Vec3 in_camera = T_camera_world * joints[i];
+    EXPECT_LT((landmark.image_px - *camera.params.camera.project(in_camera)).norm(), 1e-6);
+    EXPECT_LT((landmark.body_m - (in_camera - hips)).norm(), 1e-9);
+  }
+}
+
+TEST(LandmarkCamera, NoiseHasTheStatedSizeAndLasts) {
+  auto params = noiseless();
+  params.noise_px = 2.0;
+  params.joint_noise_m = 0.03;
+  params.correlated_share = 0.5;
+  LandmarkCamera camera = make_landmark_camera(params, 3);
+  LandmarkCamera clean = make_landmark_camera(noiseless(), 3);
+  double square_px = 0.0, square_m = 0.0, lagged_px = 0.0, last = 0.0;
+  const int n = 3000;
+  for (int i = 0; i < n; ++i) {
+    const auto vehicle = vehicle_at({0, 0, 1.5}, 0.0, 0.0, i / 30.0);
+    const auto noisy = observe(camera, {}, vehicle, person_at(3, 0), 1.75);
+    const auto exact = observe(clean, {}, vehicle, person_at(3, 0), 1.75);
+    ASSERT_TRUE(noisy && exact);
+    const double error = (noisy->landmarks[11].image_px - exact->landmarks[11].image_px).x();
+    square_px += error * error / n;
+    square_m += std::pow((noisy->landmarks[11].body_m - exact->landmarks[11].body_m).y(), 2) / n;
+    lagged_px += error * last / n;
+    last = error;
+  }
+  EXPECT_NEAR(std::sqrt(square_px), 2.0, 0.2);
+  EXPECT_NEAR(std::sqrt(square_m), 0.03, 0.003);
+  EXPECT_NEAR(lagged_px / square_px, 0.5 * std::exp(-1.0 / 30.0 / 0.3), 0.1);
+}
+
+TEST(LandmarkCamera, DeliversLaterWithTheStampOfTheImage) {
+  auto params = noiseless();
+  params.delay_s = 0.05;
+  LandmarkCamera camera = make_landmark_camera(params, 1);
+  int delivered = 0;
+  for (int i = 0; i <= 300; ++i) {
+    const auto vehicle = vehicle_at({0, 0, 1.5}, 0.0, 0.0, 0.01 * i);
+    const auto observation = observe(camera, {}, vehicle, person_at(3, 0), 1.75);
+    if (!observation) continue;
+    ++delivered;
+    EXPECT_NEAR(vehicle.stamp_s - observation->stamp_s, 0.05, 1e-9);
+  }
+  EXPECT_NEAR(delivered, 89, 2);  // 30 Hz
+}
+
+TEST(LandmarkCamera, DropsTheStatedShareOfImages) {
+  auto params = noiseless();
+  params.dropout = 0.3;
+  LandmarkCamera camera = make_landmark_camera(params, 1);
+  int seen = 0;
+  for (int i = 0; i < 2000; ++i)
+    seen += observe(camera, {}, vehicle_at({0, 0, 1.5}, 0, 0, i / 30.0), person_at(3, 0), 1.75)
+                .has_value();
+  EXPECT_NEAR(seen / 2000.0, 0.7, 0.03);
+}
+
+TEST(LandmarkCamera, HidesWhatTheWorldHidesLandmarkByLandmark) {
+  World world;
+  world.boxes.push_back({{1.4, -2, 0}, {1.6, 2, 1.0}});  // hides the legs alone
+  LandmarkCamera camera = make_landmark_camera(noiseless(), 1);
+  const auto observation =
+      observe(camera, world, vehicle_at({0, 0, 1.5}, 0), person_at(3, 0), 1.75);
+  ASSERT_TRUE(observation);
+  EXPECT_GT(observation->landmarks[kLeftShoulder].visibility, 0.7);
+  EXPECT_LT(observation->landmarks[27].visibility, 0.4);
+  world.boxes[0].max_m.z() = 3.0;
+  LandmarkCamera blind = make_landmark_camera(noiseless(), 1);
+  EXPECT_FALSE(observe(blind, world, vehicle_at({0, 0, 1.5}, 0), person_at(3, 0), 1.75));
+}
+
+TEST(LandmarkCamera, SeesNothingOutsideItsViewUnlessUngated) {
+  LandmarkCamera gated = make_landmark_camera(noiseless(), 1);
+  EXPECT_FALSE(observe(gated, {}, vehicle_at({0, 0, 1.5}, kPi), person_at(3, 0), 1.75));
+  auto params = noiseless();
+  params.fov_gated = false;
+  LandmarkCamera free = make_landmark_camera(params, 1);
+  const auto behind = observe(free, {}, vehicle_at({0, 0, 1.5}, kPi), person_at(3, 0), 1.75);
+  ASSERT_TRUE(behind);
+  EXPECT_EQ(behind->kind, TargetObservation::Kind::kPosition);
+  EXPECT_LT((behind->position_enu_m - person_at(3, 0).position_enu_m).norm(), 0.6);
+}
+
+TEST(SightOf, ViewEndsAtTheAnglesOfTheCamera) {
+  const CameraModel camera;
+  const PersonState person = person_at(3, 0);
+  const double z = person.position_enu_m.z();
+  const auto in_view = [&](double yaw, double pitch) {
+    return sight_of({}, camera, vehicle_at({0, 0, z}, yaw, pitch), person, 1.75, 8.0).in_view;
+  };
+  EXPECT_TRUE(in_view(rad(44), 0));
+  EXPECT_FALSE(in_view(rad(46), 0));
+  EXPECT_TRUE(in_view(0, rad(37)));
+  EXPECT_FALSE(in_view(0, rad(38)));
+  EXPECT_FALSE(sight_of({}, camera, vehicle_at({0, 0, z}, 0), person, 1.75, 2.9).in_view);
+}
+
+TEST(SightOf, NeedsHalfOfTheBodyPoints) {
+  World world;
+  world.boxes.push_back({{1.4, -2, 0}, {1.6, 2, 0}});
+  const auto unhidden = [&](double height) {
+    world.boxes[0].max_m.z() = height;
+    return sight_of(world, {}, vehicle_at({0, 0, 1.5}, 0), person_at(3, 0), 1.75, 8.0).unhidden;
+  };
+  EXPECT_TRUE(unhidden(1.2));   // hip and knee hidden
+  EXPECT_FALSE(unhidden(1.5));  // shoulders as well
+}
+
+TEST(DepthCamera, DepthsAreThoseOfRaysCastOneByOne) {
+  World world = generate_world({WorldKind::kBoxes, 100, 3});
+  const World cylinders = generate_world({WorldKind::kCylinders, 50, 5});
+  world.cylinders = cylinders.cylinders;
+  DepthCameraParams params;
+  params.noise_m = 0.0;
+  DepthCamera camera = make_depth_camera(params, 1);
+  const PersonState person = person_at(0.5, -7);
+  Random random(2);
+  for (int view = 0; view < 10; ++view) {
+    VehicleState vehicle = vehicle_at({random.uniform(-8, 8), random.uniform(-8, 8), 1.5},
+                                      random.uniform(-3, 3), random.uniform(-0.4, 0.4));
+    if (clearance_m(world, vehicle.position_enu_m) < 0.05) continue;
+    render(camera, world, vehicle, person, 1.75);
+    const Mat3 r = (vehicle.q_world_body * Quat(params.camera.T_body_camera.linear())).matrix();
+    for (std::size_t i = 0; i < camera.rays.size(); i += 7) {
+      const double scale = camera.rays[i].norm();
+      const Vec3 direction = r * camera.rays[i] / scale;
+      World with_person = world;
+      double along = ray_distance_m(world, vehicle.position_enu_m, direction, 1e6);
+      along = std::min(along, ray_distance_m(Cylinder{{0.5, -7}, 0.25, 1.75, 0.0},
+                                             vehicle.position_enu_m, direction));
+      if (direction.z() < 0) along = std::min(along, -vehicle.position_enu_m.z() / direction.z());
+      double expected = along / scale;
+      if (expected > params.range_max_m) expected = 2.0 * params.range_max_m;
+      ASSERT_NEAR(camera.image.depth_m[i], expected, 1e-4) << view << " " << i;
+    }
+  }
+}
+
+TEST(DepthCamera, NoiseAndDropoutsHaveTheStatedSize) {
+  World wall;
+  wall.boxes.push_back({{3, -20, 0}, {3.5, 20, 20}});
+  DepthCameraParams params;
+  params.noise_m = 0.02;
+  params.dropout = 0.1;
+  DepthCamera camera = make_depth_camera(params, 4);
+  render(camera, wall, vehicle_at({0, 0, 10}, 0), person_at(-5, 0), 1.75);
+  double square = 0.0;
+  int dropped = 0, kept = 0;
+  for (const float depth : camera.image.depth_m) {
+    dropped += depth == 0.0F;
+    if (depth == 0.0F) continue;
+    ++kept;
+    square += (depth - 3.0) * (depth - 3.0);
+  }
+  EXPECT_NEAR(std::sqrt(square / kept), 0.02, 0.001);
+  EXPECT_NEAR(dropped / 19200.0, 0.1, 0.01);
+}
+
+}  // namespace
+}  // namespace foretrack

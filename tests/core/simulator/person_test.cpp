@@ -1,0 +1,116 @@
+#include "core/simulator/person.hpp"
+
+#include <gtest/gtest.h>
+
+namespace foretrack {
+namespace {
+
+constexpr double kStep_s = 0.01;
+
+Person walker(const std::vector<Vec2>& route, PersonParams params = {}, double speed = 1.5) {
+  return make_person(params, walk_along(route, {speed, 3.0, 0.45}), 0.0);
+}
+
+TEST(Person, StandsBeforeTheStartAndRestsAtTheEnd) {
+  Person person = walker({{0, 0}, {3, 0}});
+  while (person.state.stamp_s < 1.4) advance(person, kStep_s);
+  EXPECT_EQ(person.state.position_enu_m.x(), 0.0);
+  while (person.state.stamp_s < 8.0) advance(person, kStep_s);
+  EXPECT_NEAR(person.state.position_enu_m.x(), 3.0, 1e-6);
+  EXPECT_EQ(person.state.velocity_enu_m_s.norm(), 0.0);
+  EXPECT_NEAR(person.state.body_yaw_rad, 0.0, 1e-9);
+}
+
+TEST(Person, StopsSuddenlyWithinTheAccelerationLimitAndWalksOn) {
+  PersonParams params;
+  params.stops = {{4.0, 2.0}};
+  Person person = walker({{0, 0}, {20, 0}}, params, 2.0);
+  while (person.state.stamp_s < 3.99) advance(person, kStep_s);
+  EXPECT_NEAR(person.state.velocity_enu_m_s.x(), 2.0, 1e-9);
+  const double at_m = person.state.position_enu_m.x();
+  double greatest = 0.0;
+  while (person.state.stamp_s < 5.0) {
+    advance(person, kStep_s);
+    greatest = std::max(greatest, person.state.acceleration_enu_m_s2.norm());
+  }
+  EXPECT_LE(greatest, 3.0 + 1e-6);
+  EXPECT_EQ(person.state.velocity_enu_m_s.norm(), 0.0);
+  EXPECT_NEAR(person.state.position_enu_m.x() - at_m, 4.0 / 6.0, 0.05);  // v²/2a
+  while (person.state.stamp_s < 8.0) advance(person, kStep_s);
+  EXPECT_NEAR(person.state.velocity_enu_m_s.x(), 2.0, 1e-9);
+}
+
+TEST(Person, ShouldersTurnTheLeadBeforeThePath) {
+  for (const double lead_s : {0.0, 0.3, 0.5}) {
+    PersonParams params;
+    params.shoulder_lead_s = lead_s;
+    Person person = walker({{0, 0}, {6, 0}, {6, 6}}, params);
+    double path_turns_s = 0.0, shoulders_turn_s = 0.0;
+    while (person.state.stamp_s < 8.0) {
+      advance(person, kStep_s);
+      const Vec2 v = person.state.velocity_enu_m_s.head<2>();
+      if (v.norm() > 0.2 && yaw_of(v) > rad(45) && path_turns_s == 0.0)
+        path_turns_s = person.state.stamp_s;
+      if (person.state.body_yaw_rad > rad(45) && shoulders_turn_s == 0.0)
+        shoulders_turn_s = person.state.stamp_s;
+    }
+    EXPECT_NEAR(path_turns_s - shoulders_turn_s, lead_s, 0.03);
+  }
+}
+
+TEST(Person, VelocityIsTheDerivativeOfThePosition) {
+  PersonParams params;
+  params.stops = {{3.0, 1.0}};
+  Person person = walker({{0, 0}, {6, 0}, {6, 6}}, params);
+  Vec3 last = person.state.position_enu_m, last_velocity = Vec3::Zero();
+  while (person.state.stamp_s < 9.0) {
+    advance(person, kStep_s);
+    const Vec3 mean = 0.5 * (last_velocity + person.state.velocity_enu_m_s);
+    EXPECT_LT(((person.state.position_enu_m - last) / kStep_s - mean).norm(), 0.02);
+    last = person.state.position_enu_m;
+    last_velocity = person.state.velocity_enu_m_s;
+  }
+}
+
+TEST(Body, TorsoJointsAverageToThePositionAndFaceTheYaw) {
+  PersonState state;
+  state.position_enu_m = {3, -2, 1.2};
+  state.velocity_enu_m_s = {1, 0, 0};
+  state.stride_rad = 1.0;
+  for (const double yaw : {0.0, 1.0, kPi / 2.0, -2.5}) {
+    state.body_yaw_rad = yaw;
+    const auto joints = joints_enu_m(state, 1.75);
+    const Vec3 mean = 0.25 * (joints[kLeftShoulder] + joints[kRightShoulder] + joints[kLeftHip] +
+                              joints[kRightHip]);
+    EXPECT_LT((mean - state.position_enu_m).norm(), 1e-9);
+    // ξ_rb of the design: [y11 − y12, x12 − x11] points where the chest does.
+    const Vec2 chest(joints[kLeftShoulder].y() - joints[kRightShoulder].y(),
+                     joints[kRightShoulder].x() - joints[kLeftShoulder].x());
+    EXPECT_NEAR(wrap_angle(yaw_of(chest) - yaw), 0.0, 1e-9);
+  }
+}
+
+TEST(Body, FeetStandOnTheGroundAndTheHeadIsBelowTheHeight) {
+  Person person = make_person({}, walk_along(std::vector<Vec2>{{0, 0}}, {}), 0.5);
+  const auto joints = joints_enu_m(person.state, person.params.height_m);
+  double lowest = 1e9, highest = -1e9;
+  for (const Vec3& joint : joints) {
+    lowest = std::min(lowest, joint.z());
+    highest = std::max(highest, joint.z());
+  }
+  EXPECT_NEAR(lowest, 0.5, 0.05);
+  EXPECT_NEAR(highest, 0.5 + 0.94 * 1.75, 0.03);
+}
+
+TEST(Body, LimbsKeepTheirLengthWhileWalking) {
+  PersonState standing, walking;
+  walking.velocity_enu_m_s = {1.5, 0, 0};
+  walking.stride_rad = kPi / 2.0;
+  const auto a = joints_enu_m(standing, 1.75), b = joints_enu_m(walking, 1.75);
+  const std::pair<int, int> bones[] = {{23, 25}, {25, 27}, {27, 31}, {11, 13}, {13, 15}, {24, 26}};
+  for (const auto& [i, k] : bones) EXPECT_NEAR((a[i] - a[k]).norm(), (b[i] - b[k]).norm(), 1e-9);
+  EXPECT_GT((a[27] - b[27]).norm(), 0.2);
+}
+
+}  // namespace
+}  // namespace foretrack

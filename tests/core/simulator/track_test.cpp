@@ -1,0 +1,83 @@
+#include "core/simulator/track.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace foretrack {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string error_of(std::string_view text, TrackFormat format = TrackFormat::kFrameIdXy,
+                     double rate_hz = 25.0) {
+  try {
+    parse_tracks(text, format, rate_hz, "walks.txt");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ParseTracks, ReadsTimePositionAndPedestrian) {
+  const auto tracks = parse_tracks("# a comment\n100 7 1.0 2.0\n110 7 1.5 2.5\r\n\n110 3 9 8\n",
+                                   TrackFormat::kFrameIdXy, 25.0, "walks.txt");
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].pedestrian, 3);
+  EXPECT_NEAR(tracks[0].points[0].time_s, 0.4, 1e-12);
+  const auto& seven = track_of(tracks, 7, "walks.txt").points;
+  ASSERT_EQ(seven.size(), 2u);
+  EXPECT_EQ(seven[1].position_m, Vec2(1.5, 2.5));
+  EXPECT_NEAR(seven[1].time_s - seven[0].time_s, 0.4, 1e-12);
+}
+
+TEST(ParseTracks, TakesOpenTrajColumnsXAndY) {
+  const auto tracks = parse_tracks("1.0e+00 1.0e+00 -2.8 0.0 18.9 0.1 0 -1.3\n",
+                                   TrackFormat::kOpenTraj, 25.0, "obsmat.txt");
+  EXPECT_EQ(tracks[0].points[0].position_m, Vec2(-2.8, 18.9));
+}
+
+TEST(ParseTracks, NamesLineFaultAndExpectedRow) {
+  EXPECT_THAT(
+      error_of("1 1 0 0\n2 1 x 0\n"),
+      AllOf(HasSubstr("walks.txt:2"), HasSubstr("x is not a number"), HasSubstr("frame id x y")));
+  EXPECT_THAT(error_of("1 1 0\n"), AllOf(HasSubstr("walks.txt:1"), HasSubstr("3 columns")));
+  EXPECT_THAT(error_of("1 1 0 0\n\n1 1 2 2\n"),
+              AllOf(HasSubstr("walks.txt:3"), HasSubstr("pedestrian 1 do not increase")));
+  EXPECT_THAT(error_of("1.5 1 0 0\n"), HasSubstr("frame 1.500000 is not a whole number"));
+  EXPECT_THAT(error_of("1 1 nan 0\n"), HasSubstr("nan is not a number"));
+  EXPECT_THAT(error_of("# nothing\n"), HasSubstr("no rows"));
+  EXPECT_THAT(error_of("1 1 0 0\n", TrackFormat::kFrameIdXy, 0.0), HasSubstr("rate_hz"));
+  EXPECT_THAT(error_of("1 1 0 0\n", TrackFormat::kOpenTraj), HasSubstr("x z y"));
+}
+
+TEST(TrackOf, ListsThePedestriansThatExist) {
+  const auto tracks = parse_tracks("1 4 0 0\n1 9 0 0\n", TrackFormat::kFrameIdXy, 25.0, "w");
+  try {
+    track_of(tracks, 5, "walks.txt");
+    FAIL() << "no error";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("no pedestrian 5"), HasSubstr("4, 9")));
+  }
+}
+
+TEST(ParseTracks, ReadsTheUcyPedestriansAsSmoothWalks) {
+  std::ifstream in("../shared/data/ucy_zara01_obsmat.txt");
+  if (!in) GTEST_SKIP() << "../shared/data/ucy_zara01_obsmat.txt is absent";
+  std::ostringstream text;
+  text << in.rdbuf();
+  const auto tracks = parse_tracks(text.str(), TrackFormat::kOpenTraj, 25.0, "zara01");
+  EXPECT_GT(tracks.size(), 100u);
+  for (const auto& track : tracks) {
+    if (track.points.size() < 5) continue;
+    const Walk walk = walk_through(track.points);
+    for (double t = 0.0; t < walk.duration_s(); t += 0.2)
+      ASSERT_LT(walk.at(t).velocity_m_s.norm(), 5.0) << track.pedestrian;
+  }
+}
+
+}  // namespace
+}  // namespace foretrack
