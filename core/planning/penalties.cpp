@@ -40,12 +40,6 @@ struct NodeVectors {
     z.setZero();
   }
   Nodes squared_norm() const { return x * x + y * y + z * z; }
-  Nodes dot(const NodeVectors& o) const { return x * o.x + y * o.y + z * o.z; }
-  void add_scaled(const Nodes& factor, const NodeVectors& o) {
-    x += factor * o.x;
-    y += factor * o.y;
-    z += factor * o.z;
-  }
 };
 
 NodeVectors evaluate(const ScaledEnds& ends, int order, double scale) {
@@ -85,35 +79,104 @@ double add_scaled_gradient(const Minco& minco, int piece, const ScaledEnds& by_e
          2.0 * t * (by_ends.row(2).dot(s0.row(2)) + by_ends.row(5).dot(s1.row(2)));
 }
 
-/// Corridor penalty Σ ω̄ max(a·p − b + margin, 0)³ over nodes and planes. Planes that the nodes'
-/// bounding box does not reach are passed over.
-double corridor_cost(const NodeVectors& p, const Polytope& polytope, double margin_m,
-                     NodeVectors& by_position) {
-  const Vec3 low(p.x.minCoeff(), p.y.minCoeff(), p.z.minCoeff());
-  const Vec3 high(p.x.maxCoeff(), p.y.maxCoeff(), p.z.maxCoeff());
-  const Vec3 middle = 0.5 * (low + high), half = 0.5 * (high - low);
-  double cost = 0.0;
-  for (const Eigen::Vector4d& plane : polytope.planes) {
-    const Vec3 a = plane.head<3>();
-    const double offset = plane[3] - margin_m;
-    if (a.dot(middle) + a.cwiseAbs().dot(half) <= offset) continue;
-    const Nodes g = (a.x() * p.x + a.y() * p.y + a.z() * p.z - offset).max(0.0);
-    const Nodes weighted = kTrapezoid * g * g;
-    cost += (weighted * g).sum();
-    by_position.x += (3.0 * a.x()) * weighted;
-    by_position.y += (3.0 * a.y()) * weighted;
-    by_position.z += (3.0 * a.z()) * weighted;
-  }
-  return cost;
+/// Bézier control points of a piece's derivatives: the curve lies in their hull, so that most
+/// pieces are seen to be free of penalties without looking at their nodes.
+template <std::size_t N>
+using Hull = std::array<Vec3, N>;
+
+Hull<6> position_hull(const ScaledEnds& q) {
+  const auto row = [&](int r) -> Vec3 { return q.row(r); };
+  return {row(0),
+          row(0) + 0.2 * row(1),
+          row(0) + 0.4 * row(1) + 0.05 * row(2),
+          row(3) - 0.4 * row(4) + 0.05 * row(5),
+          row(3) - 0.2 * row(4),
+          row(3)};
 }
 
-/// Σ ω̄ max(‖u‖² − limit², 0)³ over nodes.
-double norm_cost(const NodeVectors& u, double limit, double weight, NodeVectors& by_vector) {
-  const Nodes g = (u.squared_norm() - limit * limit).max(0.0);
-  if (g.maxCoeff() <= 0.0) return 0.0;
+/// The control points of the derivative, times 1/T.
+template <std::size_t N>
+Hull<N - 1> derivative_hull(const Hull<N>& hull, double rate) {
+  Hull<N - 1> result;
+  for (std::size_t i = 0; i + 1 < N; ++i) result[i] = ((N - 1) * rate) * (hull[i + 1] - hull[i]);
+  return result;
+}
+
+template <std::size_t N>
+bool exceeds(const Hull<N>& hull, double limit) {
+  double most = 0.0;
+  for (const Vec3& point : hull) most = std::max(most, point.squaredNorm());
+  return most > limit * limit;
+}
+
+/// An axis-parallel box, for the quick test of planes.
+struct Box {
+  explicit Box(const Hull<6>& hull) {
+    Vec3 low = hull[0], high = hull[0];
+    for (const Vec3& point : hull) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    middle = 0.5 * (low + high);
+    half = 0.5 * (high - low);
+  }
+  bool reaches(const Eigen::Vector4d& plane, double margin_m) const {
+    const double middle_m = plane[0] * middle.x() + plane[1] * middle.y() + plane[2] * middle.z();
+    const double half_m = std::abs(plane[0]) * half.x() + std::abs(plane[1]) * half.y() +
+                          std::abs(plane[2]) * half.z();
+    return middle_m + half_m > plane[3] - margin_m;
+  }
+  Vec3 middle, half;
+};
+
+/// A penalty over a piece's nodes: cost Σ ω̄ max(G, 0)³, and its gradient by the scaled ends and by
+/// the duration as far as that acts through 1/T in the derivative's definition.
+struct NodePenalty {
+  double cost = 0.0;
+  ScaledEnds by_ends = ScaledEnds::Zero();
+  double by_rate = 0.0;  // ∂cost/∂T · T through 1/T^order
+};
+
+/// Planes that the box does not reach cost nothing and are passed over.
+void add_corridor(const ScaledEnds& ends, const Hull<6>& hull, const Polytope& polytope,
+                  double margin_m, double weight, NodePenalty& sum) {
+  const Box box(hull);
+  NodeVectors p, by_p;
+  double cost = 0.0;
+  bool evaluated = false;
+  for (const Eigen::Vector4d& plane : polytope.planes) {
+    if (!box.reaches(plane, margin_m)) continue;
+    if (!evaluated) {
+      p = evaluate(ends, 0, 1.0);
+      by_p.set_zero();
+      evaluated = true;
+    }
+    const Nodes g =
+        (plane[0] * p.x + plane[1] * p.y + plane[2] * p.z - (plane[3] - margin_m)).max(0.0);
+    const Nodes weighted = kTrapezoid * g * g;
+    cost += (weighted * g).sum();
+    by_p.x += (3.0 * plane[0]) * weighted;
+    by_p.y += (3.0 * plane[1]) * weighted;
+    by_p.z += (3.0 * plane[2]) * weighted;
+  }
+  if (cost == 0.0) return;
+  sum.cost += weight * cost;
+  add_transposed(by_p, 0, weight, sum.by_ends);
+}
+
+/// G = ‖order-th derivative‖² − limit².
+void add_norm_limit(const ScaledEnds& ends, int order, double scale, double limit, double weight,
+                    NodePenalty& sum) {
+  const NodeVectors u = evaluate(ends, order, scale);
+  const Nodes norm2 = u.squared_norm();
+  const Nodes g = (norm2 - limit * limit).max(0.0);
   const Nodes weighted = weight * kTrapezoid * g * g;
-  by_vector.add_scaled(6.0 * weighted, u);
-  return (weighted * g).sum();
+  const double cost = (weighted * g).sum();
+  if (cost == 0.0) return;
+  sum.cost += cost;
+  const Nodes slope = 6.0 * weighted;  // times u: the gradient by u
+  add_transposed({slope * u.x, slope * u.y, slope * u.z}, order, scale, sum.by_ends);
+  sum.by_rate -= order * (slope * norm2).sum();
 }
 
 }  // namespace
@@ -153,29 +216,23 @@ double add_piece_penalties(const Minco& minco, int piece, const Polytope& polyto
                            const PieceWeights& weights, MincoGradient& gradient) {
   const double t = minco.durations_s[piece], rate = 1.0 / t;
   const ScaledEnds ends = scaled_ends(minco, piece);
-  const NodeVectors p = evaluate(ends, 0, 1.0), v = evaluate(ends, 1, rate),
-                    a = evaluate(ends, 2, rate * rate);
-  NodeVectors by_p, by_v, by_a;
-  by_p.set_zero();
-  by_v.set_zero();
-  by_a.set_zero();
-  const double corridor = corridor_cost(p, polytope, weights.corridor_margin_m, by_p);
-  const double speed = norm_cost(v, weights.speed_limit_m_s, weights.speed, by_v);
-  const double acceleration =
-      norm_cost(a, weights.acceleration_limit_m_s2, weights.acceleration, by_a);
-  const double sum = weights.corridor * corridor + speed + acceleration;
-  if (sum == 0.0) return 0.0;
-
+  const Hull<6> positions = position_hull(ends);
+  const Hull<5> velocities = derivative_hull(positions, rate);
+  const Hull<4> accelerations = derivative_hull(velocities, rate);
+  NodePenalty sum;
+  add_corridor(ends, positions, polytope, weights.corridor_margin_m, weights.corridor, sum);
+  if (exceeds(velocities, weights.speed_limit_m_s))
+    add_norm_limit(ends, 1, rate, weights.speed_limit_m_s, weights.speed, sum);
+  if (exceeds(accelerations, weights.acceleration_limit_m_s2))
+    add_norm_limit(ends, 2, rate * rate, weights.acceleration_limit_m_s2, weights.acceleration,
+                   sum);
+  if (sum.cost == 0.0) return 0.0;
+  // T acts through the step T/κ, through 1/T in the derivatives, and through the scaled ends.
   const double step = t / kQuadratureIntervals;
-  ScaledEnds by_ends = ScaledEnds::Zero();
-  if (corridor > 0.0) add_transposed(by_p, 0, step * weights.corridor, by_ends);
-  if (speed > 0.0) add_transposed(by_v, 1, step * rate, by_ends);
-  if (acceleration > 0.0) add_transposed(by_a, 2, step * rate * rate, by_ends);
-  // T acts through the step, through 1/T in v and 1/T² in a, and through the scaled ends.
-  const double through_rates = -step * rate * (by_v.dot(v).sum() + 2.0 * by_a.dot(a).sum());
-  gradient.durations[piece] += sum / kQuadratureIntervals + through_rates +
-                               add_scaled_gradient(minco, piece, by_ends, gradient);
-  return step * sum;
+  sum.by_ends *= step;
+  gradient.durations[piece] += (sum.cost + sum.by_rate) / kQuadratureIntervals +
+                               add_scaled_gradient(minco, piece, sum.by_ends, gradient);
+  return step * sum.cost;
 }
 
 void advance(const Minco& minco, double time_s, PieceTime& at) {

@@ -129,14 +129,21 @@ double TrajectoryCost::add_samples() {
 }
 
 void TrajectoryCost::precondition(Variables& direction) const {
-  const int n = minco_.pieces;
-  Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxPieces>> by_waypoints(
-      direction.data(), 3, n - 1);
-  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMaxPieces, 3> columns = by_waypoints.transpose();
-  metric_.matrixL().solveInPlace(columns);
-  metric_.matrixU().solveInPlace(columns);
-  by_waypoints = columns.transpose();
-  direction.tail(n + 1) *= 1.0 / kDurationCurvature;
+  // Forward and back substitution by columns of the Cholesky factor, three axes at once.
+  const int m = minco_.pieces - 1;
+  const auto& L = metric_.matrixLLT();
+  const auto at = [&](int i) { return Eigen::Map<Vec3>(direction.data() + 3 * i); };
+  for (int j = 0; j < m; ++j) {
+    const Vec3 x = at(j) / L(j, j);
+    at(j) = x;
+    for (int i = j + 1; i < m; ++i) at(i) -= L(i, j) * x;
+  }
+  for (int j = m - 1; j >= 0; --j) {
+    Vec3 x = at(j);
+    for (int i = j + 1; i < m; ++i) x -= L(i, j) * at(i);
+    at(j) = x / L(j, j);
+  }
+  direction.tail(m + 2) *= 1.0 / kDurationCurvature;
 }
 
 }  // namespace foretrack
