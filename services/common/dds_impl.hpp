@@ -24,6 +24,9 @@ namespace foretrack {
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::types::ReturnCode_t;
 
+/// The flow controller of profile "map".
+inline constexpr char kMapFlow[] = "map";
+
 struct Stop::Dds {
   dds::GuardCondition condition;
 };

@@ -7,6 +7,7 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <mutex>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "services/common/cdr_type.hpp"
@@ -35,12 +36,25 @@ void load_qos_profiles() {
   });
 }
 
+// The profile's property foretrack.map_bytes_per_10ms, so that maps leave room on a radio link.
+void add_map_limit(dds::DomainParticipantQos& qos) {
+  using eprosima::fastrtps::rtps::PropertyPolicyHelper;
+  const auto* text =
+      PropertyPolicyHelper::find_property(qos.properties(), "foretrack.map_bytes_per_10ms");
+  auto limit = std::make_shared<eprosima::fastdds::rtps::FlowControllerDescriptor>();
+  limit->name = kMapFlow;
+  limit->max_bytes_per_period = text ? std::stoi(*text) : 0;  // 0: no limit
+  limit->period_ms = 10;
+  qos.flow_controllers().push_back(limit);
+}
+
 dds::DomainParticipantQos participant_qos(const NodeOptions& options) {
   load_qos_profiles();
   dds::DomainParticipantQos qos;
   auto* factory = dds::DomainParticipantFactory::get_instance();
   if (factory->get_participant_qos_from_profile("foretrack", qos) != ReturnCode_t::RETCODE_OK)
     throw std::runtime_error("qos/profiles.xml has no participant profile 'foretrack'");
+  add_map_limit(qos);
   qos.name((options.names.vehicle + '/' + options.service).c_str());
   return qos;
 }

@@ -22,11 +22,15 @@ struct ForeignEndpoint {
   std::string why;
 };
 
+/// Whose node list we appear in: the ids in it have 24 bytes, or 16 from Iron on.
+enum class RosDistribution { kHumble, kIronOrLater };
+
 struct NodeOptions {
   std::string service;
   Names names;
   int domain_id = 0;
   bool use_sim_time = false;
+  RosDistribution ros = RosDistribution::kHumble;
 };
 
 /// Not thread-safe but for report(): one service, one thread. Writers and readers are its own, and

@@ -42,6 +42,8 @@ void add_options(CLI::App& app, ServiceOptions& options) {
                  "Version of vehicle_status; 0 for PX4 1.15")
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
+  app.add_flag("--ros-iron", options.ros_iron_or_later,
+               "Appear in the node list of ROS 2 Iron and later, not of Humble");
   app.add_option("--log-level", options.log_level, "debug, info, warning, error or off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();

@@ -8,7 +8,9 @@ namespace {
 constexpr double kHealthPeriod_s = 1.0;
 
 NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
-  return {name, options.names, options.domain_id, options.use_sim_time};
+  const auto ros =
+      options.ros_iron_or_later ? RosDistribution::kIronOrLater : RosDistribution::kHumble;
+  return {name, options.names, options.domain_id, options.use_sim_time, ros};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "foretrack_msgs/msg/TargetState.h"
 #include "nav_msgs/msg/Odometry.h"
 #include "rmw_dds_common/msg/ParticipantEntitiesInfo.h"
+#include "rmw_dds_common/msg/ParticipantEntitiesInfo16.h"
 #include "services/common/cdr_type.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
@@ -87,10 +88,9 @@ TEST(Node, ReportsAQosMismatchOnBothSides) {
   EXPECT_NE(sender.last_error().find("DURABILITY"), std::string::npos);
 }
 
-TEST(Node, ShowsItselfToRos2WithItsEndpoints) {
-  Node node(node_options("perception"));
-  Writer<topics::TargetState> writer(node);
-  Reader<topics::Odometry> reader(node);
+// What a ROS 2 node list would read of the node, as Info.
+template <class Info>
+Info announced_by(Node& node) {
   node.announce();
   RawPeer peer("ros_discovery_info", "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_");
   dds::DataReaderQos qos;
@@ -101,25 +101,47 @@ TEST(Node, ShowsItselfToRos2WithItsEndpoints) {
   auto* ros = peer.add_reader(qos);
   RawType::Bytes bytes;
   dds::SampleInfo info;
-  ASSERT_TRUE(eventually([&] {
+  EXPECT_TRUE(eventually([&] {
     return ros->take_next_sample(&bytes, &info) ==
                eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK &&
            info.valid_data;
   }));
-  // Bytes back into the message, by the same type support.
-  using Info = rmw_dds_common::msg::ParticipantEntitiesInfo;
   eprosima::fastrtps::rtps::SerializedPayload_t payload(static_cast<std::uint32_t>(bytes.size()));
   std::copy(bytes.begin(), bytes.end(), payload.data);
   payload.length = static_cast<std::uint32_t>(bytes.size());
   Info message;
-  ASSERT_TRUE(CdrType(type_ops<Info>()).deserialize(&payload, &message));
+  EXPECT_TRUE(CdrType(type_ops<Info>()).deserialize(&payload, &message));
+  return message;
+}
+
+template <class Info>
+void expect_node_with_endpoints(RosDistribution ros) {
+  auto options = node_options("perception");
+  options.ros = ros;
+  Node node(options);
+  Writer<topics::TargetState> writer(node);
+  Reader<topics::Odometry> reader(node);
+  const auto message = announced_by<Info>(node);
   ASSERT_EQ(message.node_entities_info_seq().size(), 1u);
   const auto& entities = message.node_entities_info_seq()[0];
   EXPECT_STREQ(entities.node_namespace().c_str(), "/uav1");
   EXPECT_STREQ(entities.node_name().c_str(), "perception");
-  EXPECT_EQ(entities.writer_gid_seq().size(), 1u);
   EXPECT_EQ(entities.reader_gid_seq().size(), 1u);
-  EXPECT_NE(message.gid().data(), entities.writer_gid_seq()[0].data());
+  ASSERT_EQ(entities.writer_gid_seq().size(), 1u);
+  const auto& of_writer = entities.writer_gid_seq()[0].data();
+  EXPECT_TRUE(std::equal(of_writer.begin(), of_writer.begin() + 12, message.gid().data().begin()))
+      << "the same participant";
+  EXPECT_NE(of_writer, message.gid().data());
+}
+
+TEST(Node, ShowsItselfToRos2HumbleWithItsEndpoints) {
+  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo>(
+      RosDistribution::kHumble);
+}
+
+TEST(Node, ShowsItselfToRos2IronWithItsEndpoints) {
+  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo16>(
+      RosDistribution::kIronOrLater);
 }
 
 TEST(Node, RefusesNamesThatRos2WouldRefuse) {
