@@ -1,9 +1,9 @@
 #include "services/convert/map.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
+#include "core/mapping/octree_io.hpp"
 #include "services/convert/geometry.hpp"
 
 namespace foretrack {
@@ -59,9 +59,7 @@ Converted<GridMap> from_idl(foretrack_msgs::msg::LocalMap in) {
 }
 
 void to_idl(const octomap::OcTree& tree, double stamp_s, octomap_msgs::msg::Octomap& out) {
-  std::ostringstream stream;
-  tree.writeBinaryData(stream);
-  const std::string bytes = stream.str();
+  const std::string bytes = octree_bytes(tree);
   set_header(out.header(), stamp_s);
   out.binary(true);
   out.id(tree.getTreeType());

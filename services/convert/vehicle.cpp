@@ -48,6 +48,19 @@ void to_transform(const VehicleState& state, tf2_msgs::msg::TFMessage& out) {
   set_transform(state.T_world_body(), state.stamp_s, kWorldFrame, kBodyFrame, out);
 }
 
+std::optional<Pose> mount_of(const tf2_msgs::msg::TFMessage& in, std::string_view frame) {
+  for (const auto& row : in.transforms()) {
+    if (row.child_frame_id() != frame || !row.header().frame_id().ends_with(kBodyFrame)) continue;
+    geometry_msgs::msg::Pose pose;
+    set_xyz(pose.position(), xyz(row.transform().translation()));
+    pose.orientation(row.transform().rotation());
+    Checks checks;
+    check_pose(checks, "translation", "rotation", pose);
+    if (checks.ok()) return to_pose(pose);
+  }
+  return std::nullopt;
+}
+
 void to_transform(const Pose& T_body_camera, double stamp_s, tf2_msgs::msg::TFMessage& out) {
   set_transform(T_body_camera, stamp_s, kBodyFrame, kCameraFrame, out);
 }

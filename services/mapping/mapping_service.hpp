@@ -1,0 +1,53 @@
+// Depth images and odometry in, the map around the vehicle out.
+#pragma once
+
+#include <optional>
+
+#include "core/mapping/update_map.hpp"
+#include "foretrack_msgs/msg/LocalMap.h"
+#include "foretrack_msgs/msg/TargetState.h"
+#include "octomap_msgs/msg/Octomap.h"
+#include "sensor_msgs/msg/CameraInfo.h"
+#include "sensor_msgs/msg/Image.h"
+#include "services/onboard/inputs.hpp"
+#include "tf2_msgs/msg/TFMessage.h"
+
+namespace foretrack {
+
+/// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and the octree once
+/// a second to who asks for it. The camera's mount is that of tf_static, or looks along body x.
+class MappingService {
+ public:
+  MappingService(Service& service, const MappingParams& params);
+
+ private:
+  void take(const sensor_msgs::msg::Image& message);
+  void take_mount(const tf2_msgs::msg::TFMessage& message);
+  void update();
+  void publish();
+  void publish_octree();
+  void watch();
+
+  Service& service_;
+  MappingParams params_;
+  MappingState state_;
+  VehicleInput vehicle_;
+  Reader<topics::DepthImage> image_;
+  Reader<topics::DepthCameraInfo> info_;
+  Reader<topics::TargetState> target_reader_;
+  Reader<topics::StaticTransforms> mount_;
+  Writer<topics::LocalMap> map_;
+  Writer<topics::OctoMap> octree_;
+  std::optional<CameraModel> camera_;
+  Pose T_body_camera_ = CameraModel::default_mount();
+  std::optional<TargetState> target_;
+  DepthImage depth_;
+  bool waiting_ = false;  // depth_ waits for the odometry of its stamp
+  double arrived_s_ = -1e9;
+  double published_s_ = -1e9;
+};
+
+/// Until the stop is requested.
+void run_mapping(const ServiceOptions& options, const MappingParams& params, Stop& stop);
+
+}  // namespace foretrack

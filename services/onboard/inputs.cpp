@@ -1,0 +1,30 @@
+#include "services/onboard/inputs.hpp"
+
+#include <limits>
+
+namespace foretrack {
+namespace {
+
+constexpr double kRestart_s = 1.0;
+
+}  // namespace
+
+VehicleInput::VehicleInput(Service& service, std::function<void()> changed)
+    : node_(service.node()), reader_(service.node()) {
+  service.loop().on_each(reader_, [this, changed = std::move(changed)](const auto& message) {
+    if (const auto state = accept(node_, reader_, message)) add(*state);
+    if (changed) changed();
+  });
+}
+
+// Time that goes back far means that the source, e.g. a simulation, was started anew.
+void VehicleInput::add(const VehicleState& state) {
+  if (newest() && state.stamp_s < newest()->stamp_s - kRestart_s) history_ = VehicleHistory();
+  history_.add(state);
+}
+
+double VehicleInput::age_s(double now_s) const {
+  return newest() ? now_s - newest()->stamp_s : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace foretrack

@@ -1,0 +1,60 @@
+#include "services/onboard/onboard.hpp"
+
+#include <array>
+#include <exception>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "services/mapping/mapping_service.hpp"
+#include "services/perception/perception_service.hpp"
+#include "services/planning/planning_service.hpp"
+#include "services/prediction/prediction_service.hpp"
+#include "services/safety_gate/safety_gate_service.hpp"
+
+namespace foretrack {
+namespace {
+
+using Options = ServiceOptions;
+constexpr std::array<OnboardService, 5> kServices = {{
+    {"perception", "camera observations to the target's state", "perception",
+     [](const Options& o, const TrackerParams& p, Stop& s) { run_perception(o, p.perception, s); }},
+    {"mapping", "depth images to the map around the vehicle", "mapping",
+     [](const Options& o, const TrackerParams& p, Stop& s) { run_mapping(o, p.mapping, s); }},
+    {"prediction", "the target's state to intentions and predicted paths", "prediction",
+     [](const Options& o, const TrackerParams& p, Stop& s) { run_prediction(o, p.prediction, s); }},
+    {"planning", "predictions and map to a checked trajectory", "planning",
+     [](const Options& o, const TrackerParams& p, Stop& s) { run_planning(o, p.planning, s); }},
+    {"safety_gate", "trajectories and orders to setpoints", "safety",
+     [](const Options& o, const TrackerParams& p, Stop& s) { run_safety_gate(o, p.safety, s); }},
+}};
+
+}  // namespace
+
+std::span<const OnboardService> onboard_services() {
+  return kServices;
+}
+
+void run_onboard(const ServiceOptions& options, const TrackerParams& params, bool with_mapping,
+                 Stop& stop) {
+  std::mutex mutex;
+  std::exception_ptr failure;
+  std::vector<std::jthread> threads;
+  for (const OnboardService& service : kServices) {
+    if (!with_mapping && service.name == std::string_view("mapping")) continue;
+    threads.emplace_back([&, run = service.run] {
+      try {
+        run(options, params, stop);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        stop.request();
+      }
+    });
+  }
+  for (auto& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace foretrack

@@ -1,0 +1,93 @@
+#include "services/perception/perception_service.hpp"
+
+#include <algorithm>
+
+#include "services/convert/target.hpp"
+#include "services/convert/visual.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kCoastPeriod_s = 1.0 / 30.0;
+constexpr double kPoseWait_s = 0.05;  // odometry comes at 30 Hz or more
+constexpr std::size_t kMaxWaiting = 8;
+constexpr double kDrawPeriod_s = 0.1;
+constexpr double kVehicleStale_s = 0.5;
+constexpr double kRestart_s = 1.0;
+
+}  // namespace
+
+PerceptionService::PerceptionService(Service& service, const PerceptionParams& params)
+    : service_(service),
+      params_(params),
+      vehicle_(service, [this] { perceive_waiting(); }),
+      observation_(service.node()),
+      target_(service.node()),
+      markers_(service.node()) {
+  service.loop().on_each(observation_, [this](const auto& message) { take(message); });
+  service.loop().every(kCoastPeriod_s, [this] { coast_if_silent(); });
+}
+
+void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& message) {
+  if (sees_nobody(message)) return;
+  const auto observation = accept(service_.node(), observation_, message);
+  if (!observation) return;
+  if (waiting_.size() == kMaxWaiting) waiting_.pop_front();
+  waiting_.push_back({*observation, service_.clock().now_s()});
+  perceive_waiting();
+}
+
+// An image may arrive before the odometry of its stamp.
+void PerceptionService::perceive_waiting() {
+  const double now_s = service_.clock().now_s();
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    const auto& [observation, arrived_s] = waiting_.front();
+    const VehicleState* vehicle = vehicle_.newest();
+    const bool covered = vehicle && vehicle->stamp_s >= observation.stamp_s;
+    if (!covered && now_s - arrived_s < kPoseWait_s) return;
+    const auto result = perceive(state_, observation, vehicle_.history(), params_);
+    if (result.status == PerceptionStatus::kGated) ++gated_;
+    delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
+    if (result.target.stamp_s > published_s_) publish(result.target);
+  }
+}
+
+void PerceptionService::coast_if_silent() {
+  perceive_waiting();
+  const double now_s = service_.clock().now_s();
+  const bool seeing = vehicle_.age_s(now_s) < kVehicleStale_s;
+  service_.health().set_degraded(seeing ? "" : "no odometry");
+  if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
+    state_ = {};
+    published_s_ = -1.0;
+  }
+  const double to_s = now_s - delay_s_;
+  if (to_s - published_s_ < 1.5 * kCoastPeriod_s) return;
+  TargetState target = coast(state_, to_s, params_);
+  target.stamp_s = std::max(to_s, 0.0);
+  publish(target);
+}
+
+void PerceptionService::publish(const TargetState& target) {
+  to_idl(target, target_.sample());
+  target_.sample().rejected_measurements(gated_);
+  target_.write();
+  if (target.status != TrackStatus::kNone) published_s_ = target.stamp_s;
+  publish_markers(target);
+}
+
+void PerceptionService::publish_markers(const TargetState& target) {
+  const double now_s = service_.clock().now_s();
+  if (markers_.readers() == 0 || std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
+  drawn_s_ = now_s;
+  to_markers(target, markers_.sample());
+  markers_.write();
+}
+
+void run_perception(const ServiceOptions& options, const PerceptionParams& params, Stop& stop) {
+  Service service("perception", options, stop);
+  PerceptionService stage(service, params);
+  service.run();
+}
+
+}  // namespace foretrack

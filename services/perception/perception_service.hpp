@@ -1,0 +1,48 @@
+// Observations and odometry in, the target's state out.
+#pragma once
+
+#include <deque>
+
+#include "core/perception/perceive.hpp"
+#include "foretrack_msgs/msg/TargetObservation.h"
+#include "foretrack_msgs/msg/TargetState.h"
+#include "services/onboard/inputs.hpp"
+#include "visualization_msgs/msg/MarkerArray.h"
+
+namespace foretrack {
+
+/// Publishes at each observation, stamped with its image; while none come, it coasts at 30 Hz to
+/// where observations would be now (now less their usual delay), so that stamps never go back.
+class PerceptionService {
+ public:
+  PerceptionService(Service& service, const PerceptionParams& params);
+
+ private:
+  struct Waiting {
+    TargetObservation observation;
+    double arrived_s = 0.0;
+  };
+  void take(const foretrack_msgs::msg::TargetObservation& message);
+  void perceive_waiting();
+  void coast_if_silent();
+  void publish(const TargetState& target);
+  void publish_markers(const TargetState& target);
+
+  Service& service_;
+  PerceptionParams params_;
+  PerceptionState state_;
+  VehicleInput vehicle_;
+  Reader<topics::TargetObservation> observation_;
+  Writer<topics::TargetState> target_;
+  Writer<topics::Markers> markers_;
+  std::deque<Waiting> waiting_;  // for the odometry of their stamps
+  double delay_s_ = 0.0;         // of the last observation
+  double published_s_ = -1.0;    // stamp of the last usable state
+  double drawn_s_ = -1.0;
+  std::uint32_t gated_ = 0;
+};
+
+/// Until the stop is requested.
+void run_perception(const ServiceOptions& options, const PerceptionParams& params, Stop& stop);
+
+}  // namespace foretrack

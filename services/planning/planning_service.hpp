@@ -1,0 +1,55 @@
+// Vehicle, target, prediction and map in, a checked trajectory out.
+#pragma once
+
+#include <optional>
+
+#include "core/planning/plan.hpp"
+#include "foretrack_msgs/msg/LocalMap.h"
+#include "foretrack_msgs/msg/PlannedTrajectory.h"
+#include "foretrack_msgs/msg/TargetIntention.h"
+#include "foretrack_msgs/msg/TargetPrediction.h"
+#include "foretrack_msgs/msg/TargetState.h"
+#include "nav_msgs/msg/Path.h"
+#include "services/onboard/inputs.hpp"
+#include "visualization_msgs/msg/MarkerArray.h"
+
+namespace foretrack {
+
+/// Plans on each prediction, and by a timer when none come: a plan says what is missing. A map with
+/// stamp 0 is known and never too old.
+class PlanningService {
+ public:
+  PlanningService(Service& service, const PlanningParams& params);
+
+ private:
+  void replan();
+  void replan_if_late();
+  PlanInput gather(double now_s) const;
+  std::string missing(double now_s) const;
+  void publish(const PlanResult& result);
+  void draw(const PlannedTrajectory& plan);
+  bool map_is_usable(double now_s) const;
+
+  Service& service_;
+  PlanningParams params_;
+  PlanningState state_;
+  VehicleInput vehicle_;
+  Reader<topics::LocalMap> map_reader_;
+  Reader<topics::TargetState> target_reader_;
+  Reader<topics::TargetIntention> intention_reader_;
+  Reader<topics::TargetPrediction> prediction_reader_;
+  Writer<topics::PlannedTrajectory> plan_;
+  Writer<topics::PlanPath> path_;
+  Writer<topics::Markers> markers_;
+  GridMap map_;
+  TargetState target_;
+  std::optional<IntentionAssessment> intention_;
+  std::optional<Prediction> prediction_;
+  double planned_s_ = -1e9;
+  double drawn_s_ = -1e9;
+};
+
+/// Until the stop is requested.
+void run_planning(const ServiceOptions& options, const PlanningParams& params, Stop& stop);
+
+}  // namespace foretrack
