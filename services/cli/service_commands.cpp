@@ -1,9 +1,109 @@
+// The subcommands that speak DDS: the services of the vehicle, one by one or together, and the
+// simulator.
+#include <fmt/format.h>
+
+#include <memory>
+
 #include "services/cli/commands.hpp"
+#include "services/config/load_params.hpp"
+#include "services/config/load_scenario.hpp"
+#include "services/onboard/onboard.hpp"
+#include "services/simulator/simulator_service.hpp"
 
 namespace foretrack {
+namespace {
+
+// Signals before the first thread, so that no thread of DDS is interrupted.
+template <class Run>
+int run_until_stopped(const ServiceOptions& options, Run run) {
+  Stop stop;
+  const SignalStop signals(stop);
+  set_up_logging(options.log_level);
+  run(stop);
+  return 0;
+}
+
+TrackerParams params_of(const ServiceOptions& options) {
+  return options.params_file.empty() ? TrackerParams{} : load_params(options.params_file);
+}
+
+int print_params(const ServiceOptions& options, const char* stage) {
+  TrackerParams params = params_of(options);
+  fmt::print("{}", yaml_of_params(params, stage));
+  return 0;
+}
+
+std::function<int()> prepare_onboard_service(CLI::App& app, const OnboardService& service) {
+  const auto options = std::make_shared<ServiceOptions>();
+  add_options(app, *options);
+  return [options, service] {
+    if (options->print_params) return print_params(*options, service.params);
+    const TrackerParams params = params_of(*options);
+    return run_until_stopped(*options, [&](Stop& stop) { service.run(*options, params, stop); });
+  };
+}
+
+template <int kIndex>
+Command onboard_command() {
+  const OnboardService& service = onboard_services()[kIndex];
+  return {service.name, service.summary,
+          [](CLI::App& app) { return prepare_onboard_service(app, onboard_services()[kIndex]); }};
+}
+
+std::function<int()> prepare_onboard(CLI::App& app) {
+  struct Options {
+    ServiceOptions service;
+    bool mapping = true;
+  };
+  const auto o = std::make_shared<Options>();
+  add_options(app, o->service);
+  app.add_flag("!--no-mapping", o->mapping, "a known map comes from elsewhere");
+  return [o] {
+    if (o->service.print_params) return print_params(o->service, "");
+    const TrackerParams params = params_of(o->service);
+    return run_until_stopped(
+        o->service, [&](Stop& stop) { run_onboard(o->service, params, o->mapping, stop); });
+  };
+}
+
+std::function<int()> prepare_simulator(CLI::App& app) {
+  struct Options {
+    ServiceOptions service;
+    std::string scenario = "t_intersection", map;
+    ScenarioOverrides overrides;
+    SimulatorOptions simulator;
+  };
+  const auto o = std::make_shared<Options>();
+  add_options(app, o->service);
+  app.add_option("--scenario", o->scenario, "shipped name or file")->capture_default_str();
+  app.add_option("--map", o->map, "known or depth")->check(CLI::IsMember({"known", "depth"}));
+  app.add_option("--seed", o->overrides.seed, "of everything random");
+  app.add_option("--for", o->overrides.duration_s, "seconds to simulate");
+  app.add_option("--track", o->overrides.track_file, "walk as this recorded pedestrian");
+  app.add_option("--pedestrian", o->overrides.pedestrian, "number of the pedestrian in the track");
+  app.add_option("--speed", o->simulator.speed, "simulated seconds in a second")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  app.add_flag("--endless", o->simulator.endless, "go on after the scenario's duration");
+  return [o] {
+    if (!o->map.empty())
+      o->overrides.map = o->map == "known" ? MapSource::kKnown : MapSource::kDepth;
+    const Scenario scenario = load_scenario(o->scenario, o->overrides);
+    return run_until_stopped(
+        o->service, [&](Stop& stop) { run_simulator(o->service, scenario, o->simulator, stop); });
+  };
+}
+
+}  // namespace
 
 std::vector<Command> service_commands() {
-  return {};
+  return {onboard_command<0>(),
+          onboard_command<1>(),
+          onboard_command<2>(),
+          onboard_command<3>(),
+          onboard_command<4>(),
+          {"onboard", "all services of the vehicle in one process", prepare_onboard},
+          {"simulator", "vehicle, cameras and person of a scenario", prepare_simulator}};
 }
 
 }  // namespace foretrack
