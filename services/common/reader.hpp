@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -20,7 +21,8 @@ using Validation = std::function<const char*(const T&)>;
 /// A sample is refused, and counted by reason, if its bytes are malformed, if its header's stamp is
 /// malformed or in the future, if `also` says so, or if it does not convert. A conversion is a
 /// callable on the sample (`from_idl`) that returns what has `operator bool`, `operator*` and
-/// `fault().field`; it may move from the sample, so that big ones are not copied.
+/// `fault()`, which has a `field` to count by and a `text`; the first of a field is reported. It
+/// may move from the sample, so that big ones are not copied.
 template <class Topic>
 class Reader {
  public:
@@ -68,7 +70,7 @@ class Reader {
       if (!is_good()) continue;
       auto converted = convert(std::move(taken_));
       if (!converted) {
-        core_->stats.reject(converted.fault().field);
+        refuse(converted.fault());
         continue;
       }
       core_->stats.accept();
@@ -80,6 +82,13 @@ class Reader {
   double age_s() const { return core_->stats.age_s(); }
   /// For what only the service can judge. Counted by reason.
   void reject(std::string_view reason) { core_->stats.reject(reason); }
+  /// The same, with the text of the first of each field reported.
+  template <class Fault>
+  void refuse(const Fault& fault) {
+    core_->stats.reject(fault.field);
+    if (core_->stats.rejected_for(fault.field) == 1)
+      node_->report(core_->stats.topic + ": " + std::string(fault.text));
+  }
   int writers() const { return core_->stats.peers; }
   const EndpointStats& stats() const { return core_->stats; }
   ReaderCore& core() { return *core_; }

@@ -8,6 +8,11 @@
 namespace foretrack {
 namespace {
 
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
 constexpr double kMapPeriod_s = 0.1;
 constexpr double kOctreePeriod_s = 1.0;
 constexpr double kWatchPeriod_s = 0.5;
@@ -30,12 +35,10 @@ MappingService::MappingService(Service& service, const MappingParams& params)
       octree_(service.node()) {
   Loop& loop = service.loop();
   loop.on_newest(mount_, [this](const auto& message) { take_mount(message); });
-  loop.on_newest(info_, [this](const auto& message) {
-    if (auto camera = accept(service_.node(), info_, message, T_body_camera_)) camera_ = *camera;
-  });
-  loop.on_newest(target_reader_, [this](const auto& message) {
-    if (auto target = accept(service_.node(), target_reader_, message)) target_ = *target;
-  });
+  loop.on_newest(
+      info_, [this](const auto& message) { return from_idl(message, T_body_camera_); },
+      [this](const CameraModel& camera) { camera_ = camera; });
+  loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
   loop.on_newest(image_, [this](const auto& message) { take(message); });
   loop.every(kOctreePeriod_s, [this] { publish_octree(); });
   loop.every(kWatchPeriod_s, [this] { watch(); });
@@ -49,9 +52,9 @@ void MappingService::take_mount(const tf2_msgs::msg::TFMessage& message) {
 }
 
 void MappingService::take(const sensor_msgs::msg::Image& message) {
-  if (!camera_) return refuse(service_.node(), image_, {"camera_info", "no camera_info came yet"});
-  auto image = accept(service_.node(), image_, message, *camera_, std::move(depth_.depth_m));
-  if (!image) return;
+  if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
+  auto image = from_idl(message, *camera_, std::move(depth_.depth_m));
+  if (!image) return image_.refuse(image.fault());
   depth_ = std::move(*image);
   arrived_s_ = service_.clock().now_s();
   waiting_ = true;
@@ -68,7 +71,7 @@ void MappingService::update() {
   const TargetState* target = target_ && target_->usable() ? &*target_ : nullptr;
   const auto result = update_map(state_, depth_, vehicle_.history(), target, params_);
   if (result.status != MapStatus::kUpdated)
-    return refuse(service_.node(), image_, {"odometry", "no odometry of the image's stamp"});
+    return image_.refuse(Fault{"odometry", "no odometry of the image's stamp"});
   publish();
 }
 

@@ -10,11 +10,13 @@ constexpr double kRestart_s = 1.0;
 }  // namespace
 
 VehicleInput::VehicleInput(Service& service, std::function<void()> changed)
-    : node_(service.node()), reader_(service.node()) {
-  service.loop().on_each(reader_, [this, changed = std::move(changed)](const auto& message) {
-    if (const auto state = accept(node_, reader_, message)) add(*state);
-    if (changed) changed();
-  });
+    : reader_(service.node()) {
+  service.loop().on_each(
+      reader_, [](const nav_msgs::msg::Odometry& message) { return from_idl(message); },
+      [this, changed = std::move(changed)](const VehicleState& state) {
+        add(state);
+        if (changed) changed();
+      });
 }
 
 // Time that goes back far means that the source, e.g. a simulation, was started anew.

@@ -1,8 +1,7 @@
-// What the onboard services share: messages that are converted or refused, and the vehicle's state.
+// What the onboard services share: the vehicle's state.
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "core/common/vehicle.hpp"
 #include "nav_msgs/msg/Odometry.h"
@@ -10,22 +9,6 @@
 #include "services/convert/vehicle.hpp"
 
 namespace foretrack {
-
-/// Counts a refusal by its field; the first of each field is logged in full.
-template <class Topic>
-void refuse(Node& node, Reader<Topic>& reader, const Fault& fault) {
-  reader.reject(fault.field);
-  if (reader.stats().rejected_for(fault.field) == 1)
-    node.report(std::string(Topic::info.name) + ": " + fault.text);
-}
-
-/// from_idl(message, …), or a counted refusal.
-template <class Topic, class Message, class... Args>
-auto accept(Node& node, Reader<Topic>& reader, Message&& message, Args&&... args) {
-  auto converted = from_idl(std::forward<Message>(message), std::forward<Args>(args)...);
-  if (!converted) refuse(node, reader, converted.fault());
-  return converted;
-}
 
 /// The vehicle's odometry: its newest state and the history that images need.
 class VehicleInput {
@@ -42,7 +25,6 @@ class VehicleInput {
  private:
   void add(const VehicleState& state);
 
-  Node& node_;
   Reader<topics::Odometry> reader_;
   VehicleHistory history_;
 };

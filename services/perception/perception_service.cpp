@@ -30,8 +30,8 @@ PerceptionService::PerceptionService(Service& service, const PerceptionParams& p
 
 void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& message) {
   if (sees_nobody(message)) return;
-  const auto observation = accept(service_.node(), observation_, message);
-  if (!observation) return;
+  const auto observation = from_idl(message);
+  if (!observation) return observation_.refuse(observation.fault());
   if (waiting_.size() == kMaxWaiting) waiting_.pop_front();
   waiting_.push_back({*observation, service_.clock().now_s()});
   perceive_waiting();

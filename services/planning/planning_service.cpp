@@ -12,6 +12,11 @@
 namespace foretrack {
 namespace {
 
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
 constexpr double kLatest_s = 0.05;   // between two plans
 constexpr double kSoonest_s = 0.02;  // the same
 constexpr double kWatchPeriod_s = 0.01;
@@ -46,19 +51,12 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   state_.clock_s = steady_s;
   state_.last_id = first_id();
   Loop& loop = service.loop();
-  loop.on_newest(map_reader_, [this](const auto& message) {
-    if (auto map = accept(service_.node(), map_reader_, message)) map_ = std::move(*map);
-  });
-  loop.on_newest(target_reader_, [this](const auto& message) {
-    if (auto target = accept(service_.node(), target_reader_, message)) target_ = *target;
-  });
-  loop.on_newest(intention_reader_, [this](const auto& message) {
-    if (auto it = accept(service_.node(), intention_reader_, message)) intention_ = *it;
-  });
-  loop.on_newest(prediction_reader_, [this](const auto& message) {
-    auto prediction = accept(service_.node(), prediction_reader_, message);
-    if (!prediction) return;
-    prediction_ = std::move(*prediction);
+  loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
+  loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
+  loop.on_newest(intention_reader_, convert,
+                 [this](const IntentionAssessment& intention) { intention_ = intention; });
+  loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
+    prediction_ = std::move(prediction);
     if (std::abs(service_.clock().now_s() - planned_s_) >= kSoonest_s) replan();
   });
   loop.every(kWatchPeriod_s, [this] { replan_if_late(); });
@@ -74,7 +72,9 @@ bool PlanningService::map_is_usable(double now_s) const {
 
 PlanInput PlanningService::gather(double now_s) const {
   const auto fresh = [&](double stamp_s) { return now_s - stamp_s < kStale_s; };
-  PlanInput in{.now_s = now_s, .target = target_};
+  PlanInput in;
+  in.now_s = now_s;
+  in.target = target_;
   in.vehicle.stamp_s = -1e9;
   if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
   if (in.target.usable() && !fresh(in.target.stamp_s)) in.target.status = TrackStatus::kLost;

@@ -10,6 +10,11 @@
 namespace foretrack {
 namespace {
 
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
 constexpr double kSilence_s = 0.5;
 constexpr double kDeclarePeriod_s = 0.2;
 constexpr double kDrawPeriod_s = 0.1;
@@ -31,18 +36,12 @@ PredictionService::PredictionService(Service& service, const PredictionParams& p
       path_(service.node()),
       markers_(service.node()) {
   Loop& loop = service.loop();
-  loop.on_newest(map_reader_, [this](const auto& message) {
-    if (auto map = accept(service_.node(), map_reader_, message)) map_ = std::move(*map);
+  loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
+  loop.on_newest(target_, convert, [this](const TargetState& target) {
+    taken_s_ = service_.clock().now_s();
+    predict_from(target);
   });
-  loop.on_newest(target_, [this](const auto& message) { take(message); });
   loop.every(kDeclarePeriod_s, [this] { declare_if_silent(); });
-}
-
-void PredictionService::take(const foretrack_msgs::msg::TargetState& message) {
-  const auto target = accept(service_.node(), target_, message);
-  if (!target) return;
-  taken_s_ = service_.clock().now_s();
-  predict_from(*target);
 }
 
 // Without a map nothing is known to stand in the target's way.
@@ -63,7 +62,10 @@ void PredictionService::declare_if_silent() {
   const double now_s = service_.clock().now_s();
   const bool silent = std::abs(now_s - taken_s_) > kSilence_s;
   service_.health().set_degraded(silent ? "no target state" : map_.empty() ? "no map" : "");
-  if (silent) predict_from({.stamp_s = now_s});
+  if (!silent) return;
+  TargetState none;
+  none.stamp_s = now_s;
+  predict_from(none);
 }
 
 void PredictionService::draw() {

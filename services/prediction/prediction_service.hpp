@@ -19,7 +19,6 @@ class PredictionService {
   PredictionService(Service& service, const PredictionParams& params);
 
  private:
-  void take(const foretrack_msgs::msg::TargetState& message);
   void predict_from(const TargetState& target);
   void declare_if_silent();
   void draw();

@@ -7,6 +7,11 @@
 namespace foretrack {
 namespace {
 
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
 constexpr double kTick_s = 0.01;
 constexpr double kReport_s = 0.05;
 constexpr std::size_t kMaxOrders = 8;
@@ -25,26 +30,25 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
       request_(service.node()),
       report_(service.node()) {
   Loop& loop = service.loop();
-  loop.on_newest(plan_reader_, [this](const auto& message) {
-    if (auto plan = accept(service_.node(), plan_reader_, message)) plan_ = std::move(*plan);
-  });
-  loop.on_newest(autopilot_reader_, [this](const auto& message) {
-    const auto status = accept(service_.node(), autopilot_reader_, message);
-    if (!status) return;
-    autopilot_ = *status;
+  loop.on_newest(plan_reader_, convert,
+                 [this](PlannedTrajectory&& plan) { plan_ = std::move(plan); });
+  loop.on_newest(autopilot_reader_, convert, [this](const AutopilotStatus& status) {
+    autopilot_ = status;
     autopilot_.stamp_s = service_.clock().now_s();  // its clock need not be ours
   });
-  loop.on_each(order_reader_, [this](const auto& message) {
-    const auto command = accept(service_.node(), order_reader_, message);
-    if (command && orders_.size() < kMaxOrders)
-      orders_.push_back({*command, message.operator_id().c_str()});
+  loop.on_each(order_reader_, [this](const foretrack_msgs::msg::MissionCommand& message) {
+    const auto command = from_idl(message);
+    if (!command) return order_reader_.refuse(command.fault());
+    if (orders_.size() < kMaxOrders) orders_.push_back({*command, message.operator_id().c_str()});
   });
   loop.every(kTick_s, [this] { tick(); });
 }
 
 void SafetyGateService::tick() {
   const double now_s = service_.clock().now_s();
-  GateInput in{.now_s = now_s, .autopilot = autopilot_};
+  GateInput in;
+  in.now_s = now_s;
+  in.autopilot = autopilot_;
   in.vehicle.stamp_s = -1e9;
   if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
   if (plan_) in.plan = &*plan_;

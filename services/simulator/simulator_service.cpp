@@ -85,26 +85,21 @@ void SimulatorService::step() {
 AutopilotInput SimulatorService::take_input() {
   AutopilotInput input;
   input.heartbeat = heartbeat_.take_newest() != nullptr;
-  if (const auto* message = setpoint_.take_newest()) {
-    if (const auto setpoint = from_idl(*message))
-      input.setpoint = *setpoint;
-    else
-      setpoint_.reject(setpoint.fault().field);
-  }
+  input.setpoint = setpoint_.take_newest_as(
+      [](const px4_msgs::msg::TrajectorySetpoint& message) { return from_idl(message); });
   take_commands(input);
   return input;
 }
 
-// To return and to land are to hold here: this autopilot knows no home.
 void SimulatorService::take_commands(AutopilotInput& input) {
-  command_.take_each([&](const auto& message) {
-    const auto request = from_idl(message);
-    if (!request) return command_.reject(request.fault().field);
-    if (*request == AutopilotRequest::kArm) input.arm = true;
-    if (*request == AutopilotRequest::kOffboard) input.offboard = true;
-    if (*request == AutopilotRequest::kReturn || *request == AutopilotRequest::kLand)
-      input.hold = true;
-  });
+  command_.take_each_as(
+      [](const px4_msgs::msg::VehicleCommand& message) { return from_idl(message); },
+      [&input](AutopilotRequest request) {
+        if (request == AutopilotRequest::kArm) input.arm = true;
+        if (request == AutopilotRequest::kOffboard) input.mode = AutopilotMode::kOffboard;
+        if (request == AutopilotRequest::kReturn) input.mode = AutopilotMode::kReturn;
+        if (request == AutopilotRequest::kLand) input.mode = AutopilotMode::kLand;
+      });
 }
 
 void SimulatorService::publish_vehicle(const SimulatorOutput& out) {

@@ -1,0 +1,10 @@
+// In a build without DDS.
+#include "services/cli/commands.hpp"
+
+namespace foretrack {
+
+std::vector<Command> service_commands() {
+  return {};
+}
+
+}  // namespace foretrack
