@@ -1,6 +1,7 @@
 #include "core/simulator/route.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "core/common/random.hpp"
@@ -15,9 +16,9 @@ constexpr double kSlack_m = 0.1;  // beside the person's radius
 constexpr double kLeastTurn_rad = rad(50.0), kGreatestTurn_rad = rad(135.0);
 constexpr int kMaxSteps = 20000;
 
-struct Graph {
-  std::vector<Vec2> places;
-  std::vector<std::vector<int>> next;
+struct Place {
+  Vec2 point_m = Vec2::Zero();
+  std::optional<std::vector<int>> next;  // that can be walked to; worked out when first asked for
 };
 
 class Search {
@@ -26,7 +27,7 @@ class Search {
       : world_(world), request_(request), random_(request.seed) {}
 
   std::vector<Vec2> run() {
-    make_graph();
+    find_places();
     std::vector<Vec2> best;
     double best_m = 0.0;
     for (int attempt = 0; attempt < 20 && best_m < request_.length_m; ++attempt) {
@@ -36,7 +37,7 @@ class Search {
       if (length_m <= best_m) continue;
       best_m = length_m;
       best.clear();
-      for (const int place : walk) best.push_back(graph_.places[place]);
+      for (const int place : walk) best.push_back(places_[place].point_m);
     }
     if (best.size() < 2)
       throw std::invalid_argument("generate_route: the world leaves no way to walk");
@@ -44,7 +45,7 @@ class Search {
   }
 
  private:
-  Vec2 leg(int a, int b) const { return graph_.places[b] - graph_.places[a]; }
+  Vec2 leg(int a, int b) const { return places_[b].point_m - places_[a].point_m; }
   bool is_free(const Vec2& a, const Vec2& b, double margin_m) const {
     return ground_clearance_m(world_, a, b) >= margin_m;
   }
@@ -53,10 +54,11 @@ class Search {
     const Vec2 low = world_.min_m.head<2>() + Vec2::Constant(kFromBounds_m);
     const Vec2 high = world_.max_m.head<2>() - Vec2::Constant(kFromBounds_m);
     const bool inside = (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
-    if (inside && is_free(p, p, request_.person_radius_m + kSlack_m)) graph_.places.push_back(p);
+    if (inside && is_free(p, p, request_.person_radius_m + kSlack_m))
+      places_.push_back({.point_m = p, .next = {}});
   }
 
-  void make_graph() {
+  void find_places() {
     for (const auto& b : world_.boxes)
       for (int corner = 0; corner < 4; ++corner) {
         const bool east = corner & 1, north = corner & 2;
@@ -66,39 +68,43 @@ class Search {
     for (const auto& c : world_.cylinders)
       for (int k = 0; k < 6; ++k)
         add_place(c.center_m + (c.radius_m + 1.3 * kBeside_m) * direction_of(k * kPi / 3.0));
-    while (graph_.places.size() < 40)
+    while (places_.size() < 40)
       if (!add_random_place()) break;
-    const int n = static_cast<int>(graph_.places.size());
-    graph_.next.resize(n);
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b) {
-        const double length_m = leg(a, b).norm();
-        if (length_m < kLeastLeg_m || length_m > kLongestLeg_m) continue;
-        if (is_free(graph_.places[a], graph_.places[b], request_.person_radius_m + kSlack_m))
-          graph_.next[a].push_back(b);
-      }
+  }
+
+  const std::vector<int>& next_of(int a) {
+    auto& next = places_[a].next;
+    if (next) return *next;
+    next.emplace();
+    for (int b = 0; b < static_cast<int>(places_.size()); ++b) {
+      const double length_m = leg(a, b).norm();
+      if (length_m < kLeastLeg_m || length_m > kLongestLeg_m) continue;
+      if (is_free(places_[a].point_m, places_[b].point_m, request_.person_radius_m + kSlack_m))
+        next->push_back(b);
+    }
+    return *next;
   }
 
   bool add_random_place() {
-    const std::size_t before = graph_.places.size();
-    for (int i = 0; i < 100 && graph_.places.size() == before; ++i)
+    const std::size_t before = places_.size();
+    for (int i = 0; i < 100 && places_.size() == before; ++i)
       add_place({random_.uniform(world_.min_m.x(), world_.max_m.x()),
                  random_.uniform(world_.min_m.y(), world_.max_m.y())});
-    return graph_.places.size() > before;
+    return places_.size() > before;
   }
 
   // The walk cuts a corner within the triangle of the corner and the two points reach before and
   // after it.
   bool corner_is_free(int a, int b, int c) const {
-    const Vec2 &p = graph_.places[b], in = leg(a, b).normalized(), out = leg(b, c).normalized();
+    const Vec2 &p = places_[b].point_m, in = leg(a, b).normalized(), out = leg(b, c).normalized();
     return is_free(p - request_.corner_reach_m * in, p + request_.corner_reach_m * out,
                    request_.person_radius_m);
   }
 
-  std::vector<int> choices_after(const std::vector<int>& walk, double least_turn_rad) const {
+  std::vector<int> choices_after(const std::vector<int>& walk, double least_turn_rad) {
     std::vector<int> choices;
     const int here = walk.back();
-    for (const int next : graph_.next[here]) {
+    for (const int next : next_of(here)) {
       if (walk.size() >= 2) {
         const int before = walk[walk.size() - 2];
         const double turn =
@@ -113,8 +119,8 @@ class Search {
 
   // Steps back from dead ends.
   std::vector<int> random_walk() {
-    if (graph_.places.empty()) return {};
-    std::vector<int> walk = {random_.integer(0, static_cast<int>(graph_.places.size()) - 1)};
+    if (places_.empty()) return {};
+    std::vector<int> walk = {random_.integer(0, static_cast<int>(places_.size()) - 1)};
     double length_m = 0.0;
     for (int step = 0; step < kMaxSteps && length_m < request_.length_m && !walk.empty(); ++step) {
       auto choices = choices_after(walk, kLeastTurn_rad);
@@ -134,7 +140,7 @@ class Search {
   const World& world_;
   RouteRequest request_;
   Random random_;
-  Graph graph_;
+  std::vector<Place> places_;
 };
 
 }  // namespace
