@@ -8,8 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "services/share/share.hpp"
 #include "services/config/yaml_reader.hpp"
+#include "services/share/share.hpp"
 
 namespace foretrack {
 namespace {
@@ -139,7 +139,9 @@ fs::path locate(const std::string& file, const fs::path& scenario_file) {
 std::vector<TrackPoint> load_track(const TrackSource& source, const fs::path& scenario_file) {
   const fs::path file = locate(source.file, scenario_file);
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::invalid_argument("track: cannot read " + file.string());
+  if (!in)
+    throw std::invalid_argument(fmt::format("{}: target.track.file: cannot read {}",
+                                            scenario_file.string(), file.string()));
   std::ostringstream text;
   text << in.rdbuf();
   const auto tracks = parse_tracks(text.str(), static_cast<TrackFormat>(source.format),

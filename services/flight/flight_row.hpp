@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,12 @@ namespace foretrack {
 /// Where the most probable path has the target, some seconds ahead; NaN: no prediction.
 inline constexpr std::array<double, 4> kForesight_s = {0.5, 1.0, 2.0, 3.0};
 
+inline std::array<Vec2, kForesight_s.size()> no_foresight() {
+  std::array<Vec2, kForesight_s.size()> points;
+  points.fill(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
+  return points;
+}
+
 struct FlightRow {
   double now_s = 0.0;
   // Truth.
@@ -30,7 +38,7 @@ struct FlightRow {
   // What the tracker believes.
   TargetState estimate;
   std::array<IntentionBelief, kIntentionCount> beliefs{};
-  std::array<Vec2, kForesight_s.size()> foresight_m{};
+  std::array<Vec2, kForesight_s.size()> foresight_m = no_foresight();
   // What it does.
   bool planned = false;  // a plan was made in this step
   PlanStatus plan_status = PlanStatus::kNone;

@@ -47,7 +47,7 @@ void write_plan(const TrackerOutput& out, FlightRow& last) {
   last.planned = out.planned;
   if (!out.planned) return;
   last.beliefs = out.prediction->intention.beliefs;
-  last.foresight_m.fill(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
+  last.foresight_m = no_foresight();
   const auto& paths = out.prediction->prediction.paths;
   if (!paths.empty())
     for (std::size_t i = 0; i < kForesight_s.size(); ++i)
