@@ -1,8 +1,10 @@
 #include "bench/prediction/episodes.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include "bench/prediction/passages.hpp"
 #include "core/common/random.hpp"
 #include "core/perception/target_filter.hpp"
 #include "core/simulator/person.hpp"
@@ -62,17 +64,20 @@ class Tracker {
   TargetEstimate estimate_;
 };
 
-World world_at_torso_height(const SimulatedWalk& walk) {
-  World world = generate_world({.kind = walk.kind, .seed = walk.seed});
-  world.min_m.z() = kHeight_m - 2.0 * kMapResolution_m;
-  world.max_m.z() = kHeight_m + 2.0 * kMapResolution_m;
-  return world;
-}
-
-std::vector<Vec2> route_of(const SimulatedWalk& walk, const World& world) {
-  const RouteRequest request{.seed = walk.seed, .length_m = walk.speed_m_s * walk.duration_s};
-  return walk.kind == WorldKind::kTIntersection ? t_intersection_route(request)
-                                                : generate_route(world, request);
+// The world cut down to a slice at the torso's height: prediction reads no more.
+Passages place_of(const SimulatedWalk& walk) {
+  Passages place;
+  if (walk.in_passages) {
+    place = generate_passages(walk.seed);
+  } else {
+    const RouteRequest request{.seed = walk.seed, .length_m = walk.speed_m_s * walk.duration_s};
+    place.world = generate_world({.kind = walk.kind, .seed = walk.seed});
+    place.route_m = walk.kind == WorldKind::kTIntersection ? t_intersection_route(request)
+                                                           : generate_route(place.world, request);
+  }
+  place.world.min_m.z() = kHeight_m - 2.0 * kMapResolution_m;
+  place.world.max_m.z() = kHeight_m + 2.0 * kMapResolution_m;
+  return place;
 }
 
 PersonParams person_params(const SimulatedWalk& walk, Random& random) {
@@ -111,15 +116,15 @@ Episode replay(const Track& track) {
 
 Episode simulate_walk(const SimulatedWalk& walk) {
   Episode episode;
-  episode.name = kWorldKindNames[static_cast<int>(walk.kind)];
-  const World world = world_at_torso_height(walk);
-  episode.map = known_map(world, kMapResolution_m);
+  episode.name = walk.in_passages ? "passages" : kWorldKindNames[static_cast<int>(walk.kind)];
+  const Passages place = place_of(walk);
+  episode.map = known_map(place.world, kMapResolution_m);
   Random random(walk.seed);
-  Person person =
-      make_person(person_params(walk, random),
-                  walk_along(route_of(walk, world), {.speed_m_s = walk.speed_m_s}), 0.0);
+  Person person = make_person(person_params(walk, random),
+                              walk_along(place.route_m, {.speed_m_s = walk.speed_m_s}), 0.0);
   Tracker tracker(walk.seed);
-  const int count = static_cast<int>(walk.duration_s / kTruthStep_s);
+  const double until_s = std::min(walk.duration_s, person.walk.duration_s());
+  const int count = static_cast<int>(until_s / kTruthStep_s);
   for (int i = 0; i < count; ++i) {
     const PersonState& s = person.state;
     episode.truth.push_back({s.position_enu_m.head<2>(), s.velocity_enu_m_s.head<2>()});
@@ -135,9 +140,12 @@ std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds) {
   std::vector<SimulatedWalk> walks;
   std::uint64_t seed = first_seed;
   for (int round = 0; round < rounds; ++round)
-    for (int kind = 0; kind < static_cast<int>(kWorldKindNames.size()); ++kind)
-      for (const double speed : {1.0, 1.5, 2.0})
-        walks.push_back({static_cast<WorldKind>(kind), seed++, speed, round % 2});
+    for (const double speed : {1.0, 1.5, 2.0}) {
+      for (int i = 0; i < 6; ++i)
+        walks.push_back({true, WorldKind::kEmpty, seed++, speed, round % 2});
+      for (int kind = 0; kind < static_cast<int>(kWorldKindNames.size()); ++kind)
+        walks.push_back({false, static_cast<WorldKind>(kind), seed++, speed, round % 2});
+    }
   return walks;
 }
 

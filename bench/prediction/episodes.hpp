@@ -30,6 +30,7 @@ struct Episode {
 };
 
 struct SimulatedWalk {
+  bool in_passages = false;  // else in a world of this kind
   WorldKind kind = WorldKind::kEmpty;
   std::uint64_t seed = 1;
   double speed_m_s = 1.5;
@@ -40,7 +41,8 @@ struct SimulatedWalk {
 /// Sharp turns around what stands in a generated world, shoulders ahead of the path.
 Episode simulate_walk(const SimulatedWalk& walk);
 
-/// Every kind of world at 1.0, 1.5 and 2.0 m/s, `rounds` times, from worlds of this seed on.
+/// Passages and every kind of world at 1.0, 1.5 and 2.0 m/s, `rounds` times, from worlds of this
+/// seed on.
 std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds);
 
 /// Recorded pedestrians of a file in OpenTraj's format: no map, no body yaw. Empty if there is no

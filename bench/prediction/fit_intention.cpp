@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "bench/prediction/fit_hidden.hpp"
 #include "bench/prediction/fit_softmax.hpp"
 #include "bench/prediction/split.hpp"
 
@@ -22,8 +23,11 @@ void append(std::vector<Window>& all, const std::vector<Window>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-Fit fit(const std::string& name, const std::string& source, const std::vector<Window>& windows) {
+// The recorded turns are too few for hidden units.
+Fit fit(const std::string& name, const std::string& source, const std::vector<Window>& windows,
+        bool with_hidden_units) {
   Fit result{name, {}, fit_softmax(windows, kRidge)};
+  if (with_hidden_units) result.weights = fit_hidden(windows, result.weights);
   std::array<int, kIntentionCount> counts{};
   for (const Window& w : windows) ++counts[index_of(w.label)];
   char text[300];
@@ -37,14 +41,21 @@ Fit fit(const std::string& name, const std::string& source, const std::vector<Wi
 }
 
 template <std::size_t N>
-void write_row(std::ostream& out, const char* field, const std::array<double, N>& values) {
-  out << "    ." << field << " = {";
+void write_numbers(std::ostream& out, const std::array<double, N>& values) {
+  out << "{";
   for (std::size_t i = 0; i < N; ++i) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.4f", values[i]);
+    std::snprintf(text, sizeof text, "%.4g", values[i]);
     out << (i ? ", " : "") << text;
   }
-  out << "},\n";
+  out << "}";
+}
+
+template <std::size_t N>
+void write_row(std::ostream& out, const char* field, const std::array<double, N>& values) {
+  out << "    ." << field << " = ";
+  write_numbers(out, values);
+  out << ",\n";
 }
 
 void write_source(std::ostream& out, const std::vector<Fit>& fits) {
@@ -53,6 +64,11 @@ void write_source(std::ostream& out, const std::vector<Fit>& fits) {
   for (const Fit& f : fits) {
     out << "// Fitted on " << f.fitted_on << ".\nconstexpr CalibrationWeights " << f.name << "{\n";
     write_row(out, "turn", f.weights.turn);
+    out << "    .hidden = {{";
+    for (const auto& unit : f.weights.hidden) write_numbers(out, unit), out << ",\n";
+    out << "}},\n";
+    write_row(out, "hidden_bias", f.weights.hidden_bias);
+    write_row(out, "hidden_gain", f.weights.hidden_gain);
     write_row(out, "decelerate", f.weights.decelerate);
     out << "};\n\n";
   }
@@ -78,10 +94,10 @@ int run(const std::string& tracks, const std::string& out_path) {
     std::cerr << "fit_intention: no recorded tracks in " << tracks << '\n';
     return 1;
   }
-  const std::vector<Fit> fits = {fit("kMapAndBody", "simulated walks", map_and_body),
-                                 fit("kMapOnly", "simulated walks, yaw hidden", map_only),
-                                 fit("kBodyOnly", "simulated walks, map hidden", body_only),
-                                 fit("kTrackOnly", "UCY zara01 pedestrians", track_only)};
+  const std::vector<Fit> fits = {fit("kMapAndBody", "simulated walks", map_and_body, true),
+                                 fit("kMapOnly", "simulated walks, yaw hidden", map_only, true),
+                                 fit("kBodyOnly", "simulated walks, map hidden", body_only, true),
+                                 fit("kTrackOnly", "UCY zara01 pedestrians", track_only, false)};
   std::ofstream out(out_path);
   write_source(out, fits);
   return out ? 0 : 1;

@@ -22,11 +22,12 @@ struct Run {
   double from_s, to_s;
 };
 
-// Times over which the side was announced without a gap.
-std::vector<Run> announcements(const std::vector<Moment>& moments, Intention side) {
+// Times over which something was announced without a gap.
+template <class ProbabilityOf>
+std::vector<Run> announcements(const std::vector<Moment>& moments, ProbabilityOf&& probability_of) {
   std::vector<Run> runs;
   for (const Moment& m : moments) {
-    if (!m.label || m.p[index_of(side)] <= kAlarm) continue;
+    if (!m.label || probability_of(m.p) <= kAlarm) continue;
     const double t = time_of(m);
     if (!runs.empty() && t - runs.back().to_s <= kForgiven_gap_s)
       runs.back().to_s = t;
@@ -91,8 +92,11 @@ void IntentionScorer::add(const std::vector<Moment>& moments,
     if (k % kEvery == 0) windows_.push_back({moments[k].p, *moments[k].label});
   }
   const auto events = turn_events(truth);
+  const auto any = announcements(moments, [](const Probabilities& p) { return p[1] + p[2]; });
+  for (const TurnEvent& e : events) leads_any_s_.push_back(lead_s(any, e.onset * kTruthStep_s));
   for (const Intention side : {Intention::kTurnLeft, Intention::kTurnRight}) {
-    const auto runs = announcements(moments, side);
+    const auto runs =
+        announcements(moments, [&](const Probabilities& p) { return p[index_of(side)]; });
     for (const TurnEvent& e : events)
       if (e.side == side) leads_s_.push_back(lead_s(runs, e.onset * kTruthStep_s));
     for (const Run& run : runs) {
@@ -101,7 +105,26 @@ void IntentionScorer::add(const std::vector<Moment>& moments,
         return e.side == side && onset_s >= run.from_s - kLatest_s &&
                onset_s <= run.to_s + kEarliest_s;
       });
-      if (!right) ++false_alarms_;
+      if (!right) {
+        ++false_alarms_;
+        double nx = 99, pv = -99;
+        Intention s1 = side, s2 = side;
+        for (auto& e : events) {
+          double d = e.onset * kTruthStep_s - run.to_s;
+          if (d >= 0 && d < nx) {
+            nx = d;
+            s1 = e.side;
+          }
+          d = e.onset * kTruthStep_s - run.from_s;
+          if (d < 0 && d > pv) {
+            pv = d;
+            s2 = e.side;
+          }
+        }
+        if (getenv("FA"))
+          fprintf(stderr, "FA len %.2f next %.2f %s prev %.2f %s\n", run.to_s - run.from_s, nx,
+                  s1 == side ? "same" : "opp", pv, s2 == side ? "same" : "opp");
+      }
     }
   }
 }
@@ -136,6 +159,9 @@ IntentionReport IntentionScorer::report() const {
   std::sort(r.leads_s.begin(), r.leads_s.end());
   r.turns = static_cast<int>(r.leads_s.size());
   r.median_lead_s = median(r.leads_s);
+  std::vector<double> any = leads_any_s_;
+  std::sort(any.begin(), any.end());
+  r.median_lead_any_s = median(any);
   for (const double lead : r.leads_s)
     r.foreseen_share += (lead > 0.0) / std::max(1.0, double(r.turns));
   r.walked_min = walked_s_ / 60.0;

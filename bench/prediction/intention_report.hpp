@@ -35,9 +35,10 @@ struct IntentionReport {
   std::vector<ReliabilityBin> reliability;       // 15 bins of equal mass
   std::vector<ReliabilityBin> turn_reliability;  // the same, of the turns
   int turns = 0;
-  double foreseen_share = 0.0;  // of the turns: p > 0.5 at the onset
-  double median_lead_s = 0.0;
-  std::vector<double> leads_s;  // sorted
+  double foreseen_share = 0.0;     // of the turns: p > 0.5 at the onset
+  double median_lead_s = 0.0;      // of p(side) > 0.5 before the onset, without a gap
+  double median_lead_any_s = 0.0;  // of p(left) + p(right) > 0.5
+  std::vector<double> leads_s;     // sorted
   double walked_min = 0.0;
   double false_alarms_per_min = 0.0;
 };
@@ -54,7 +55,7 @@ class IntentionScorer {
     Intention label;
   };
   std::vector<Judged> windows_;
-  std::vector<double> leads_s_;
+  std::vector<double> leads_s_, leads_any_s_;
   double walked_s_ = 0.0;
   int false_alarms_ = 0;
 };

@@ -76,9 +76,11 @@ void print_intention(const char* name, const IntentionReport& r) {
   std::printf("\nBrier %.4f, skill %.3f; log-loss %.4f (base %.4f); ECE %.4f, of turns %.4f\n",
               r.brier, r.brier_skill, r.log_loss, r.base_log_loss, r.ece, r.ece_turn);
   std::printf(
-      "turns %d, announced by their onset %.0f%%, median lead %.2f s; false alarms %.2f a "
-      "minute in %.1f min\n",
-      r.turns, 100.0 * r.foreseen_share, r.median_lead_s, r.false_alarms_per_min, r.walked_min);
+      "turns %d, announced by their onset %.0f%%, median lead %.2f s (of either side %.2f s); "
+      "false "
+      "alarms %.2f a minute in %.1f min\n",
+      r.turns, 100.0 * r.foreseen_share, r.median_lead_s, r.median_lead_any_s,
+      r.false_alarms_per_min, r.walked_min);
 }
 
 double quantile(std::vector<double>& values, double q) {
@@ -126,6 +128,7 @@ Json json_of(const IntentionReport& r) {
           {"turns", r.turns},
           {"announced_by_onset", r.foreseen_share},
           {"median_lead_s", r.median_lead_s},
+          {"median_lead_any_s", r.median_lead_any_s},
           {"leads_s", r.leads_s},
           {"walked_min", r.walked_min},
           {"false_alarms_per_min", r.false_alarms_per_min}};
@@ -151,9 +154,11 @@ Json report(const char* name, Score& score) {
 
 int run(const std::string& tracks, const std::string& json_path) {
   Json out;
-  Score simulated, recorded;
-  for (const SimulatedWalk& walk : held_out_walks()) run_episode(simulate_walk(walk), simulated);
-  out["simulated"] = report("Simulated, held-out worlds", simulated);
+  Score passages, open_worlds, recorded;
+  for (const SimulatedWalk& walk : held_out_walks())
+    run_episode(simulate_walk(walk), walk.in_passages ? passages : open_worlds);
+  out["passages"] = report("Simulated passages, held-out", passages);
+  out["open_worlds"] = report("Simulated open worlds, held-out", open_worlds);
   for (const RecordedWalk& walk : recorded_walks(tracks))
     if (is_held_out(walk)) run_episode(walk.episode, recorded);
   if (recorded.times_us.empty())

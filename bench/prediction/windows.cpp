@@ -6,7 +6,7 @@ namespace foretrack::bench {
 
 std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params,
                                bool hide_map, bool hide_body) {
-  constexpr int kEvery = 5;
+  constexpr int kEvery = 3;
   const GridMap nothing;
   const GridMap& map = hide_map ? nothing : episode.map;
   std::vector<Window> windows;

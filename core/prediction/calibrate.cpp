@@ -12,13 +12,21 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
   return sum;
 }
 
+double turn_logit(const CalibrationWeights& w, const CalibrationWeights::TurnRow& features) {
+  double logit = dot(w.turn, features);
+  for (int j = 0; j < CalibrationWeights::kHidden; ++j)
+    if (w.hidden_gain[j] != 0.0)
+      logit += w.hidden_gain[j] * std::tanh(w.hidden_bias[j] + dot(w.hidden[j], features));
+  return logit;
+}
+
 }  // namespace
 
 std::array<double, kIntentionCount> probabilities(const IntentionFeatures& f,
                                                   const CalibrationWeights& w) {
   std::array<double, kIntentionCount> p{};  // forward: logit 0
-  p[index_of(Intention::kTurnLeft)] = dot(w.turn, f.left);
-  p[index_of(Intention::kTurnRight)] = dot(w.turn, f.right);
+  p[index_of(Intention::kTurnLeft)] = turn_logit(w, f.left);
+  p[index_of(Intention::kTurnRight)] = turn_logit(w, f.right);
   p[index_of(Intention::kDecelerate)] = dot(w.decelerate, f.decelerate);
   const double largest = *std::max_element(p.begin(), p.end());
   double sum = 0.0;

@@ -20,14 +20,14 @@ double positive(double x) {
   return std::max(x, 0.0);
 }
 
-// One side as seen from a target that may turn to it.
+// One side of a target that may turn to it.
 struct Side {
-  double sign;
+  double sign;  // +1 left, −1 right
   const IntentionBelief& belief;
-  double half_angle_rad, half_angle_ahead_rad, other_half_angle_ahead_rad;
+  double half_angle_rad, half_angle_ahead_rad;
   const std::array<double, Surroundings::kSideCount>& width_m;
-  const std::array<double, Surroundings::kSideCount>& other_width_m;
 };
+using TurnWriter = Writer<IntentionFeatures::kTurnCount>;
 
 // Time until an obstacle ahead is reached, with the target's own size taken off.
 double time_to_obstacle_s(const MotionCues& motion, const Surroundings& s) {
@@ -42,20 +42,29 @@ double last_width_m(const std::array<double, Surroundings::kSideCount>& width_m)
   return last;
 }
 
-void add_surroundings(Writer<IntentionFeatures::kTurnCount>& out, const Side& side,
-                      double obstacle_s) {
-  constexpr double kRange_m = Surroundings::kSideRange_m;
+void add_motion(TurnWriter& out, const Side& side, const MotionCues& motion) {
+  out.add(1.0);
+  out.add(side.sign * std::clamp(motion.turn_rate_rad_s, -3.0, 3.0));
+  out.add(positive(side.sign * motion.recent_turn_rad));
+  out.add(positive(-side.sign * motion.recent_turn_rad));
+  out.add(motion.speed_m_s);
+  out.add(std::clamp(motion.speed_fall_m_s, -1.0, 1.0));
+  const double body = side.sign * std::clamp(motion.steady_body_turn_rad, -1.2, 1.2);
+  out.add(body);
+  out.add(positive(body) * positive(body));
+  out.add(std::min(side.belief.observation, 3.0));
+  for (const double swing_rad : motion.body_swing_rad)
+    out.add(side.sign * std::clamp(swing_rad, -1.2, 1.2));
+  const double begun = positive(side.sign * motion.body_swing_rad[1]);
+  out.add(std::min(begun * begun, 1.5));
+}
+
+// soon: nearness of an obstacle ahead.
+void add_side(TurnWriter& out, const Side& side, double soon) {
+  out.add(side.belief.potential);
   out.add(side.half_angle_rad);
   out.add(side.half_angle_ahead_rad);
-  out.add(side.other_half_angle_ahead_rad);
-  const double soon = std::exp(-obstacle_s / 0.5), ahead = std::exp(-obstacle_s / 1.5);
-  out.add(soon);
-  out.add(ahead);
-  const double width = last_width_m(side.width_m) / kRange_m;
-  const double other = last_width_m(side.other_width_m) / kRange_m;
-  out.add(ahead * width);
-  out.add(ahead * other);
-  out.add(ahead * positive(width - other));
+  out.add(soon * last_width_m(side.width_m) / Surroundings::kSideRange_m);
   const double hugging = std::exp(-side.width_m[0] / 0.7);
   out.add(hugging);
   // Where along the way the side opens, and whether the target keeps to that side.
@@ -68,21 +77,20 @@ void add_surroundings(Writer<IntentionFeatures::kTurnCount>& out, const Side& si
   }
 }
 
-void write_turn(const Side& side, const MotionCues& motion, const Surroundings& surroundings,
-                bool map_known, std::array<double, IntentionFeatures::kTurnCount>& features) {
+void write_turn(const Side& side, const Side& other, const MotionCues& motion,
+                const Surroundings& surroundings, bool map_known,
+                std::array<double, IntentionFeatures::kTurnCount>& features) {
   Writer out(features);
-  out.add(1.0);
-  out.add(side.sign * std::clamp(motion.turn_rate_rad_s, -3.0, 3.0));
-  out.add(positive(side.sign * motion.recent_turn_rad));
-  out.add(positive(-side.sign * motion.recent_turn_rad));
-  out.add(motion.speed_m_s);
-  const double body = side.sign * std::clamp(motion.steady_body_turn_rad, -1.2, 1.2);
-  out.add(body);
-  out.add(positive(body) * positive(body));
-  out.add(side.belief.observation);
+  add_motion(out, side, motion);
   if (!map_known) return;
-  out.add(side.belief.potential);
-  add_surroundings(out, side, time_to_obstacle_s(motion, surroundings));
+  const double obstacle_s = time_to_obstacle_s(motion, surroundings);
+  const double soon = std::exp(-obstacle_s / 1.5);
+  out.add(soon);
+  out.add(std::exp(-obstacle_s / 0.5));
+  out.add(soon * positive(last_width_m(side.width_m) - last_width_m(other.width_m)) /
+          Surroundings::kSideRange_m);
+  add_side(out, side, soon);
+  add_side(out, other, soon);
 }
 
 void write_decelerate(const MotionCues& motion, const Surroundings& surroundings,
@@ -114,22 +122,12 @@ IntentionFeatures intention_features(const MotionCues& motion, const Surrounding
   f.body_known = motion.body_known;
   const ReachableRegion& now = surroundings.region;
   const ReachableRegion& ahead = surroundings.region_ahead;
-  const Side left{1.0,
-                  assessment[Intention::kTurnLeft],
-                  now.left_half_angle_rad,
-                  ahead.left_half_angle_rad,
-                  ahead.right_half_angle_rad,
-                  surroundings.left_width_m,
-                  surroundings.right_width_m};
-  const Side right{-1.0,
-                   assessment[Intention::kTurnRight],
-                   now.right_half_angle_rad,
-                   ahead.right_half_angle_rad,
-                   ahead.left_half_angle_rad,
-                   surroundings.right_width_m,
-                   surroundings.left_width_m};
-  write_turn(left, motion, surroundings, map_known, f.left);
-  write_turn(right, motion, surroundings, map_known, f.right);
+  const Side left{1.0, assessment[Intention::kTurnLeft], now.left_half_angle_rad,
+                  ahead.left_half_angle_rad, surroundings.left_width_m};
+  const Side right{-1.0, assessment[Intention::kTurnRight], now.right_half_angle_rad,
+                   ahead.right_half_angle_rad, surroundings.right_width_m};
+  write_turn(left, right, motion, surroundings, map_known, f.left);
+  write_turn(right, left, motion, surroundings, map_known, f.right);
   write_decelerate(motion, surroundings, assessment, map_known, f.decelerate);
   return f;
 }

@@ -58,7 +58,7 @@ MotionCues observe_motion(MotionHistory& h, const TargetState& target,
   if (cues.walking && cues.body_known)
     cues.body_turn_rad = wrap_angle(target.body_yaw_rad - velocity_yaw);  // eq. 3
 
-  remember(h, {target.stamp_s, cues.state.velocity_m_s, cues.body_turn_rad});
+  remember(h, {target.stamp_s, cues.state.velocity_m_s, cues.body_turn_rad, target.body_yaw_rad});
   cues.steady_body_turn_rad = steady_body_turn(h, target.stamp_s);
   const auto& before = sample_before(h, target.stamp_s, params.speed_fall_interval_s);
   const Vec2& velocity = cues.state.velocity_m_s;
@@ -66,6 +66,11 @@ MotionCues observe_motion(MotionHistory& h, const TargetState& target,
   const double elapsed_s = target.stamp_s - before.stamp_s;
   if (elapsed_s > 0.5 * params.speed_fall_interval_s)
     cues.turn_rate_rad_s = heading_change(before, velocity, params.walking_speed_m_s) / elapsed_s;
+  for (std::size_t i = 0; i < cues.body_swing_rad.size() && cues.body_known; ++i) {
+    const double yaw_then = sample_before(h, target.stamp_s, MotionCues::kSwing_s[i]).body_yaw_rad;
+    if (std::isfinite(yaw_then))
+      cues.body_swing_rad[i] = wrap_angle(target.body_yaw_rad - yaw_then);
+  }
   const auto& recent = sample_before(h, target.stamp_s, kRecent_s);
   cues.recent_turn_rad = heading_change(recent, velocity, params.walking_speed_m_s);
   return cues;

@@ -15,6 +15,7 @@ struct MotionHistory {
     double stamp_s = 0.0;
     Vec2 velocity_m_s = Vec2::Zero();
     double body_turn_rad = 0.0;  // r_bv
+    double body_yaw_rad = 0.0;   // NaN: not known
   };
   static constexpr int kCapacity = 64;
   std::array<Sample, kCapacity> samples{};
@@ -34,9 +35,13 @@ struct MotionCues {
   bool body_known = false;
   double body_turn_rad = 0.0;         // r_bv (eq. 3), wrapped; 0 when not walking or not known
   double steady_body_turn_rad = 0.0;  // its mean over the last moments: noise is about 10°
-  double speed_fall_m_s = 0.0;        // ‖V(t − Δt)‖ − ‖V(t)‖
-  double turn_rate_rad_s = 0.0;       // of the velocity, over the same interval
-  double recent_turn_rad = 0.0;       // of the velocity, over the last second
+  // Change of the chest's yaw over the last moments: unlike r_bv it does not wait for the velocity,
+  // which a filter delays, and is over when the turn is.
+  static constexpr std::array<double, 3> kSwing_s = {0.16, 0.32, 0.64};
+  std::array<double, 3> body_swing_rad{};
+  double speed_fall_m_s = 0.0;   // ‖V(t − Δt)‖ − ‖V(t)‖
+  double turn_rate_rad_s = 0.0;  // of the velocity, over the same interval
+  double recent_turn_rad = 0.0;  // of the velocity, over the last second
 };
 
 /// Adds the target to the history and reads the cues. A stamp that goes back, or a gap of more than
