@@ -101,4 +101,13 @@ void make_flight_path(const SearchContext& context, const WaypointPath& way, dou
   path.times_s.back() = std::max(path.times_s.back(), horizon_s);
 }
 
+Vec3 scheduled_position(const WaypointPath& way, const FlightPathWorkspace& w, std::size_t k) {
+  const double arc_m = w.schedule_m[std::min(k, w.schedule_m.size() - 1)];
+  const auto next = std::upper_bound(w.arc_m.begin(), w.arc_m.end(), arc_m);
+  if (next == w.arc_m.end()) return way.points.back();
+  const auto i = static_cast<std::size_t>(next - w.arc_m.begin());
+  const double part = (arc_m - w.arc_m[i - 1]) / (w.arc_m[i] - w.arc_m[i - 1]);
+  return way.points[i - 1] + part * (way.points[i] - way.points[i - 1]);
+}
+
 }  // namespace foretrack

@@ -33,4 +33,8 @@ struct FlightPathWorkspace {
 void make_flight_path(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
                       FlightPathWorkspace& workspace, FlightPath& path);
 
+/// Where on the way the vehicle can be at t_k, k = 1 …; after make_flight_path.
+Vec3 scheduled_position(const WaypointPath& way, const FlightPathWorkspace& workspace,
+                        std::size_t k);
+
 }  // namespace foretrack

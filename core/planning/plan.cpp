@@ -59,6 +59,7 @@ class Replan {
     const bool clear = build_corridor(context, s_.path, s_.corridor, s_.problem.corridor);
     guess_trajectory(context, s_.path, start_, s_.expected.paths[0], s_.problem);
     std::swap(s_.problem.samples, s_.ahead.samples);
+    open_bands();
     clock_.lap(PlanStage::kCorridor);
     if (!clear) return PlanReason::kEmptyCorridor;
     PlanReason reason = attempt(params_.optimizer);
@@ -72,14 +73,23 @@ class Replan {
   // Takes in the prediction, or remembers the last one while a lost target is searched for.
   PlanReason believe() {
     if (in_.target.usable() && is_finite(in_.target)) {
-      update_belief(s_.belief, in_.target, in_.prediction, params_.horizon);
+      // Out of sight, the target goes on as its intentions were; constant velocity knows less.
+      if (in_.target.status == TrackStatus::kTracking || !s_.seen_before)
+        update_belief(s_.belief, in_.target, in_.prediction, params_.horizon);
       s_.seen_before = true;
       s_.lost_since_s = -1.0;
       return PlanReason::kOk;
     }
     if (!s_.seen_before) return PlanReason::kNoTarget;
-    if (s_.lost_since_s < 0.0) s_.lost_since_s = in_.now_s;
+    if (s_.lost_since_s < 0.0) begin_search();
     return searching() ? PlanReason::kOk : PlanReason::kTargetLost;
+  }
+  // The camera turns on round the side where the target was going.
+  void begin_search() {
+    s_.lost_since_s = in_.now_s;
+    const Vec3& last = s_.belief.paths[0].states.back().position_enu_m;
+    const double bearing_rad = yaw_of(Vec2((last - in_.vehicle.position_enu_m).head<2>()));
+    s_.search_turn = wrap_angle(bearing_rad - in_.vehicle.yaw_rad()) >= 0.0 ? 1.0 : -1.0;
   }
   bool lost() const { return s_.lost_since_s >= 0.0; }
   bool searching() const { return in_.now_s - s_.lost_since_s < params_.horizon.search_s; }
@@ -108,10 +118,24 @@ class Replan {
     PlannedTrajectory& trajectory = next().trajectory;
     trajectory.pieces.assign(optimum.pieces.begin(), optimum.pieces.end());
     append_tail(trajectory);
-    aim_camera(start_, s_.expected, params_, s_.aim, trajectory);
+    if (lost() && in_.now_s - s_.lost_since_s > params_.view.search_look_s)
+      sweep_camera(start_, s_.search_turn, params_, s_.aim, trajectory);
+    else
+      aim_camera(start_, s_.expected, params_, s_.aim, trajectory);
     const PlanReason reason = check(trajectory);
     clock_.lap(PlanStage::kCheck);
     return reason;
+  }
+
+  // A target out of reach would pull the trajectory beyond its limits: until the vehicle can have
+  // come near, as near as it can be is near enough.
+  void open_bands() {
+    for (TargetSample& sample : s_.problem.samples) {
+      const auto k = static_cast<std::size_t>(std::lround(sample.time_s / params_.horizon.step_s));
+      const Vec3 reached = scheduled_position(s_.ahead.way, s_.path_workspace, k);
+      sample.distance_high_m =
+          std::max(sample.distance_high_m, distance_xy(reached, sample.target_enu_m));
+    }
   }
 
   void append_tail(PlannedTrajectory& trajectory) {

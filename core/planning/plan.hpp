@@ -47,6 +47,7 @@ struct PlanningState {
   int flown = 0;
   std::uint64_t last_id = 0;
   double lost_since_s = -1.0;  // < 0: not lost
+  double search_turn = 1.0;    // +1: the camera of a search turns to the left
   bool seen_before = false;    // there is a belief to search by
 
   TargetBelief belief;

@@ -26,30 +26,32 @@ struct HorizonParams {
 
 /// Where the vehicle wants to be: ring, visible regions, heights, corridor.
 struct PlaceParams {
-  double distance_low_m = 1.5;         // d_l
-  double distance_high_m = 2.5;        // d_u
-  double distance_extra_m = 0.4;       // d_ε
-  double ring_tolerance_m = 0.2;       // of the wanted distance, the middle of the band
-  double margin_min_rad = 0.12;        // θ_0
-  double margin_extra_rad = 0.4;       // θ_ε
-  double margin_share_max = 0.7;       // margins take at most this part of a visible region
-  double height_above_target_m = 0.5;  // wanted
-  double height_search_m = 0.6;        // other levels, this far up and down, when that is not free
-  double search_clearance_m = 0.1;     // of the path, beyond the vehicle's radius
-  int search_expansions_max = 3000;    // of all searches of one plan
-  int sector_steps = 24;               // rays in a quarter turn
-  double corridor_reach_m = 1.2;       // of a polytope, beyond its segment
-  double corridor_height_m = 0.5;      // the same, up and down
-  double segment_max_m = 2.5;          // length of path in one polytope
+  double distance_low_m = 1.5;          // d_l
+  double distance_high_m = 2.5;         // d_u
+  double distance_extra_m = 0.4;        // d_ε
+  double ring_tolerance_m = 0.2;        // of the wanted distance, the middle of the band
+  double margin_min_rad = 0.12;         // θ_0
+  double margin_extra_rad = 0.4;        // θ_ε
+  double margin_share_max = 0.7;        // margins take at most this part of a visible region
+  double height_above_target_m = 0.25;  // wanted
+  double height_search_m = 0.6;         // other levels, this far up and down, when that is not free
+  double search_clearance_m = 0.1;      // of the path, beyond the vehicle's radius
+  int search_expansions_max = 3000;     // of all searches of one plan
+  int sector_steps = 24;                // rays in a quarter turn
+  double corridor_reach_m = 1.2;        // of a polytope, beyond its segment
+  double corridor_height_m = 0.5;       // the same, up and down
+  double segment_max_m = 2.5;           // length of path in one polytope
   int polytopes_max = 5;
 };
 
 /// Field of view and what the camera's axes may do.
 struct ViewParams {
   double fov_horizontal_rad = 1.5708;
-  double fov_margin_rad = 0.2;  // the plan keeps the target this far inside
-  double yaw_effort = 0.002;    // weight of (rad/s²)² against rad² of bearing error
-  bool gimbal = false;          // plan gimbal_pitch as well
+  double fov_margin_rad = 0.2;     // the plan keeps the target this far inside
+  double yaw_effort = 0.002;       // weight of (rad/s²)² against rad² of bearing error
+  double search_look_s = 1.0;      // where a target was lost, the camera looks there for so long
+  double search_rate_rad_s = 1.2;  // then turns round
+  bool gimbal = false;             // plan gimbal_pitch as well
   double gimbal_rate_max_rad_s = 2.0;
   double gimbal_acceleration_max_rad_s2 = 10.0;
 };
