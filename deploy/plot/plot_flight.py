@@ -45,11 +45,11 @@ def draw_world(axes, scenario):
         axes.add_patch(Circle(cylinder["center_m"], cylinder["radius_m"], **SHAPE))
 
 
-def draw_path(axes, x, y, t, cmap, label):
+def draw_path(axes, x, y, t, cmap):
     step = max(1, len(x) // 3000)
     points = list(zip(x[::step], y[::step]))
     segments = [[a, b] for a, b in zip(points, points[1:])]
-    lines = LineCollection(segments, cmap=cmap, linewidths=1.8, label=label)
+    lines = LineCollection(segments, cmap=cmap, linewidths=1.8)
     lines.set_array(t[::step][:-1])
     lines.set_clim(-0.4 * t[-1], t[-1])
     axes.add_collection(lines)
@@ -63,8 +63,8 @@ def where(values, condition):
 def draw_top_view(axes, log, scenario):
     draw_world(axes, scenario)
     t = log["now_s"]
-    draw_path(axes, log["target_x"], log["target_y"], t, "Oranges", "target")
-    lines = draw_path(axes, log["vehicle_x"], log["vehicle_y"], t, "Blues", "vehicle")
+    draw_path(axes, log["target_x"], log["target_y"], t, "Oranges")
+    lines = draw_path(axes, log["vehicle_x"], log["vehicle_y"], t, "Blues")
     hidden = where(log["unhidden"], lambda v: v == 0.0)
     outside = where(log["in_view"], lambda v: v == 0.0)
     for marks, colour, label in ((hidden, HIDDEN, "occluded"), (outside, LOST, "out of view")):
@@ -75,13 +75,17 @@ def draw_top_view(axes, log, scenario):
         i = min(range(len(t)), key=lambda k: abs(t[k] - turn["begin_s"]))
         axes.plot(log["target_x"][i], log["target_y"][i], "^" if turn["success"] else "v",
                   color="#2ca02c" if turn["success"] else LOST, markersize=7, markeredgecolor="white")
+    for cmap, label in (("Oranges", "target"), ("Blues", "vehicle")):
+        axes.plot([], [], color=matplotlib.colormaps[cmap](0.75), label=label)
+    for marker, colour, label in (("^", "#2ca02c", "turn kept in view"), ("v", LOST, "turn lost")):
+        axes.plot([], [], marker, color=colour, label=label)
     xs, ys = log["target_x"] + log["vehicle_x"], log["target_y"] + log["vehicle_y"]
     axes.set_xlim(min(xs) - 3, max(xs) + 3)
     axes.set_ylim(min(ys) - 3, max(ys) + 3)
     axes.set_aspect("equal")
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
-    axes.legend(loc="upper right", fontsize=8)
+    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.06), ncol=6, fontsize=8, frameon=False)
     axes.figure.colorbar(lines, ax=axes, label="time [s]", fraction=0.03, pad=0.01)
 
 
