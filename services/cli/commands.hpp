@@ -20,8 +20,16 @@ std::vector<Command> flight_commands();
 /// Those that speak DDS; none in a build without it.
 std::vector<Command> service_commands();
 
+/// What an operator uses: up, demo, monitor, topics, doctor. Only in a build with DDS.
+std::vector<Command> operator_commands();
+
 std::function<int()> prepare_fly(CLI::App& app);
 std::function<int()> prepare_params(CLI::App& app);
 std::function<int()> prepare_scenarios(CLI::App& app);
+std::function<int()> prepare_up(CLI::App& app);
+std::function<int()> prepare_demo(CLI::App& app);
+std::function<int()> prepare_monitor(CLI::App& app);
+std::function<int()> prepare_topics(CLI::App& app);
+std::function<int()> prepare_doctor(CLI::App& app);
 
 }  // namespace foretrack

@@ -16,6 +16,9 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
   auto commands = foretrack::flight_commands();
   for (const auto& command : foretrack::service_commands()) commands.push_back(command);
+#ifdef FORETRACK_DDS
+  for (const auto& command : foretrack::operator_commands()) commands.push_back(command);
+#endif
   for (const auto& command : commands) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     const std::function<int()> action = command.prepare(*sub);

@@ -40,6 +40,7 @@ class DiscoveryWatch : public dds::DomainParticipantListener {
   /// From now on, this is what we expect on the topic. Also judges what was seen before.
   void expect(const std::string& topic, const TypeOps& ops);
   std::vector<ForeignEndpoint> foreign() const;
+  std::vector<ForeignEndpoint> all() const;
 
   void on_publisher_discovery(dds::DomainParticipant*,
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;

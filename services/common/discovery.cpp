@@ -92,6 +92,13 @@ std::vector<ForeignEndpoint> DiscoveryWatch::foreign() const {
   return result;
 }
 
+std::vector<ForeignEndpoint> DiscoveryWatch::all() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<ForeignEndpoint> result;
+  for (const auto& [guid, seen] : seen_) result.push_back(seen);
+  return result;
+}
+
 void DiscoveryWatch::on_publisher_discovery(dds::DomainParticipant*,
                                             eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) {
   using Info = eprosima::fastrtps::rtps::WriterDiscoveryInfo;

@@ -119,6 +119,10 @@ std::string Node::last_error() const {
   return dds_->last_error;
 }
 
+std::vector<ForeignEndpoint> Node::endpoints() const {
+  return dds_->watch.all();
+}
+
 std::vector<ForeignEndpoint> Node::foreign_endpoints() const {
   return dds_->watch.foreign();
 }

@@ -58,6 +58,8 @@ class Node {
   void report(const std::string& text);
   std::string last_error() const;
   std::vector<ForeignEndpoint> foreign_endpoints() const;
+  /// All that discovery tells of, on any topic; `why` is empty where it may match.
+  std::vector<ForeignEndpoint> endpoints() const;
 
   struct Dds;
   Dds& dds() { return *dds_; }

@@ -94,7 +94,7 @@ Finding check(const Picture& p, const Link& link) {
   const auto* flow = p.flow(link.topic);
   if (!flow) return note(link.stage, fmt::format("{} was not looked at.", link.topic));
   if (flow->samples == 0) return silent(p, link, *flow);
-  if (flow->age_s > link.max_age_s) {
+  if (flow->age_s > link.max_age_s && !(link.topic == "map/local" && p.map_is_static)) {
     const auto text = fmt::format("{} stopped {:.1f} s ago.", flow->wire, flow->age_s);
     if (flow->writers == 0)
       return fault(link.stage, text + " Its writer is gone.", how_to_start(link.service));
@@ -226,7 +226,7 @@ std::vector<Finding> diagnose(const Picture& p) {
   std::vector<Finding> findings;
   for (const auto& service : p.services) check_service(service, findings);
   const auto* map = p.flow("map/local");
-  const bool map_comes = map && map->samples > 0 && map->age_s < 2.0;
+  const bool map_comes = map && map->samples > 0 && (p.map_is_static || map->age_s < 2.0);
   for (const auto& link : chain()) {
     Finding finding = check(p, link);
     // A map from elsewhere needs no depth images.

@@ -2,14 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
+#include "services/ground_station/topic_watch.hpp"
+
 namespace foretrack {
 namespace {
 
-template <class Topic, class Hook>
-void pass_on(Reader<Topic>& reader, const Hook& hook) {
-  reader.take_each([&](const auto& sample) {
-    if (hook) hook(sample);
-  });
+constexpr double kNoWallClock_s = 1e8;  // stamps before 1973 are simulated time
+
+// Every vehicle of ours has rt/<vehicle>/target/state.
+std::vector<std::string> other_vehicles(const std::vector<ForeignEndpoint>& endpoints,
+                                        const std::string& own) {
+  constexpr std::string_view kHead = "rt/";
+  constexpr std::string_view kTail = "/target/state";
+  std::set<std::string> names;
+  for (const auto& e : endpoints) {
+    if (!e.topic.starts_with(kHead) || !e.topic.ends_with(kTail)) continue;
+    const auto name = e.topic.substr(kHead.size(), e.topic.size() - kHead.size() - kTail.size());
+    if (name != own) names.insert(name);
+  }
+  return {names.begin(), names.end()};
 }
 
 std::string sentence_of(const ForeignEndpoint& e) {
@@ -18,6 +31,16 @@ std::string sentence_of(const ForeignEndpoint& e) {
 }
 
 }  // namespace
+
+template <class Topic>
+template <class Hook>
+void Listener::Kept<Topic>::take(const Hook& hook) {
+  reader.take_each([&](auto& taken) {
+    if (hook) hook(taken);
+    std::swap(sample, taken);
+    any = true;
+  });
+}
 
 template <class Topic>
 void Listener::watch(const Reader<Topic>& reader) {
@@ -34,62 +57,59 @@ Listener::Listener(Node& node, bool with_images)
       plan_(node),
       safety_(node),
       health_(node),
+      simulated_clock_(node),
       vehicle_truth_(node),
       target_truth_(node) {
-  watch(odometry_);
+  watch(odometry_.reader);
   watch(observation_);
   if (with_images) watch(depth_.emplace(node));
-  watch(target_);
+  watch(target_.reader);
   if (with_images) watch(map_.emplace(node));
-  watch(intention_);
-  watch(prediction_);
-  watch(plan_);
-  watch(safety_);
+  watch(intention_.reader);
+  watch(prediction_.reader);
+  watch(plan_.reader);
+  watch(safety_.reader);
 }
 
 void Listener::hear(const foretrack_msgs::msg::ServiceHealth& health) {
   auto& heard = services_[health.service().c_str()];
   heard.report.health = health;
-  heard.report.clock_ahead_s = to_seconds(health.header().stamp()) - node_.clock().now_s();
   heard.at_s = node_.clock().steady_s();
+  const double stamp_s = to_seconds(health.header().stamp());
+  const double now_s = stamp_s < kNoWallClock_s ? simulated_s_ : node_.clock().now_s();
+  heard.report.clock_ahead_s = now_s < 0.0 ? 0.0 : stamp_s - now_s;
+}
+
+void Listener::take_images() {
+  if (depth_) depth_->take_newest();
+  if (!map_) return;
+  if (const auto* map = map_->take_newest())
+    map_is_static_ = to_seconds(map->header().stamp()) == 0.0;
 }
 
 void Listener::update() {
-  odometry_.take_newest();
+  if (const auto* clock = simulated_clock_.take_newest()) simulated_s_ = to_seconds(clock->clock());
+  vehicle_truth_.take(hooks.vehicle_truth);
+  target_truth_.take(hooks.target_truth);
+  odometry_.take(std::function<void(const nav_msgs::msg::Odometry&)>());
   observation_.take_newest();
-  if (depth_) depth_->take_newest();
-  if (map_) map_->take_newest();
-  pass_on(vehicle_truth_, hooks.vehicle_truth);
-  pass_on(target_truth_, hooks.target_truth);
-  pass_on(target_, hooks.target);
-  pass_on(intention_, hooks.intention);
-  pass_on(prediction_, hooks.prediction);
-  pass_on(plan_, hooks.plan);
-  pass_on(safety_, hooks.safety);
+  take_images();
+  target_.take(hooks.target);
+  intention_.take(hooks.intention);
+  prediction_.take(hooks.prediction);
+  plan_.take(hooks.plan);
+  safety_.take(hooks.safety);
   health_.take_each([this](const auto& health) { hear(health); });
   const double now_s = node_.clock().steady_s();
   for (auto& slot : slots_) slot.rate_hz = slot.meter.update(slot.stats->samples, now_s);
-}
-
-TopicFlow Listener::flow_of(const Slot& slot) const {
-  const auto& stats = *slot.stats;
-  TopicFlow flow;
-  flow.topic = slot.topic;
-  flow.wire = stats.topic;
-  flow.rate_hz = slot.rate_hz;
-  flow.age_s = stats.age_s();
-  flow.writers = stats.peers;
-  flow.samples = stats.samples;
-  flow.incompatible_qos = stats.incompatible_qos;
-  flow.rejected = stats.rejected;
-  return flow;
 }
 
 Picture Listener::picture() {
   Picture p;
   p.vehicle = node_.options().names.vehicle;
   p.domain = node_.options().domain_id;
-  p.now_s = node_.clock().now_s();
+  p.now_s = simulated_s_ >= 0.0 ? simulated_s_ : node_.clock().now_s();
+  p.map_is_static = map_is_static_;
   p.odometry = odometry_.newest();
   p.vehicle_truth = vehicle_truth_.newest();
   p.target_truth = target_truth_.newest();
@@ -103,7 +123,8 @@ Picture Listener::picture() {
     heard.report.age_s = now_s - heard.at_s;
     p.services.push_back(heard.report);
   }
-  for (const auto& slot : slots_) p.flows.push_back(flow_of(slot));
+  for (const auto& slot : slots_) p.flows.push_back(flow_of(slot.topic, *slot.stats, slot.rate_hz));
+  p.other_vehicles = other_vehicles(node_.endpoints(), p.vehicle);
   for (const auto& endpoint : node_.foreign_endpoints()) p.foreign.push_back(sentence_of(endpoint));
   return p;
 }

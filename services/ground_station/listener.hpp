@@ -9,6 +9,7 @@
 
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
+#include "rosgraph_msgs/msg/Clock.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/common/node.hpp"
 #include "services/common/reader.hpp"
@@ -50,26 +51,41 @@ class Listener {
     ServiceReport report;
     double at_s = 0.0;  // steady
   };
+  /// A reader, and the newest sample that it gave.
+  template <class Topic>
+  struct Kept {
+    explicit Kept(Node& node) : reader(node) {}
+    template <class Hook>
+    void take(const Hook& hook);
+    const typename Topic::Type* newest() const { return any ? &sample : nullptr; }
+
+    Reader<Topic> reader;
+    typename Topic::Type sample;
+    bool any = false;
+  };
   template <class Topic>
   void watch(const Reader<Topic>& reader);
+  void take_images();
   void hear(const foretrack_msgs::msg::ServiceHealth& health);
-  TopicFlow flow_of(const Slot& slot) const;
 
   Node& node_;
-  Reader<topics::Odometry> odometry_;
+  Kept<topics::Odometry> odometry_;
   Reader<topics::TargetObservation> observation_;
   std::optional<Reader<topics::DepthImage>> depth_;
-  Reader<topics::TargetState> target_;
+  Kept<topics::TargetState> target_;
   std::optional<Reader<topics::LocalMap>> map_;
-  Reader<topics::TargetIntention> intention_;
-  Reader<topics::TargetPrediction> prediction_;
-  Reader<topics::PlannedTrajectory> plan_;
-  Reader<topics::SafetyState> safety_;
+  Kept<topics::TargetIntention> intention_;
+  Kept<topics::TargetPrediction> prediction_;
+  Kept<topics::PlannedTrajectory> plan_;
+  Kept<topics::SafetyState> safety_;
   Reader<topics::ServiceHealth> health_;
-  Reader<topics::VehicleTruth> vehicle_truth_;
-  Reader<topics::TargetTruth> target_truth_;
+  Reader<topics::Clock> simulated_clock_;
+  Kept<topics::VehicleTruth> vehicle_truth_;
+  Kept<topics::TargetTruth> target_truth_;
   std::vector<Slot> slots_;
   std::map<std::string, Heard> services_;
+  double simulated_s_ = -1.0;  // negative: no simulated clock is heard
+  bool map_is_static_ = false;
 };
 
 }  // namespace foretrack

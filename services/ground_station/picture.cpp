@@ -28,7 +28,7 @@ double speed_mps(const Picture& p) {
   const auto* vehicle = vehicle_of(p);
   if (!vehicle) return -1.0;
   const auto& v = vehicle->twist().twist().linear();
-  return std::hypot(v.x(), v.y());
+  return std::hypot(v.x(), v.y(), v.z());
 }
 
 }  // namespace foretrack

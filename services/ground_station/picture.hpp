@@ -24,6 +24,7 @@ struct TopicFlow {
   double rate_hz = 0.0;
   double age_s = -1.0;  // since the last sample; negative: none yet
   int writers = 0;      // that match our reader
+  int readers = -1;     // of others on the topic; negative: not known
   std::uint64_t samples = 0;
   std::uint64_t incompatible_qos = 0;  // writers refused for their quality of service
   std::vector<std::pair<std::string, std::uint64_t>> rejected;  // by reason
@@ -40,7 +41,7 @@ struct ServiceReport {
 struct Picture {
   std::string vehicle;
   int domain = 0;
-  double now_s = 0.0;
+  double now_s = 0.0;  // simulated, if there is such a clock
   const nav_msgs::msg::Odometry* odometry = nullptr;
   const nav_msgs::msg::Odometry* vehicle_truth = nullptr;
   const nav_msgs::msg::Odometry* target_truth = nullptr;
@@ -51,7 +52,10 @@ struct Picture {
   const foretrack_msgs::msg::SafetyState* safety = nullptr;
   std::vector<ServiceReport> services;  // by name
   std::vector<TopicFlow> flows;
+  bool map_is_static = false;        // a known map, sent once
   std::vector<std::string> foreign;  // endpoints that can never match, one sentence each
+
+  std::vector<std::string> other_vehicles;  // whose topics discovery tells of
 
   const TopicFlow* flow(std::string_view topic) const {
     for (const auto& f : flows)
@@ -68,7 +72,7 @@ struct Picture {
 /// Horizontal distance between vehicle and target (truth if it is there, else the estimate);
 /// negative: not known.
 double distance_m(const Picture& picture);
-/// Horizontal, of the vehicle; negative: not known.
+/// Of the vehicle; negative: not known.
 double speed_mps(const Picture& picture);
 
 }  // namespace foretrack

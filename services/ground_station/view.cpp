@@ -80,6 +80,22 @@ std::string distance(const Picture& p, const ViewOptions& o) {
   return fmt::format("{}  {}", painted(o, good, fmt::format("{:4.1f} m", d)), ruler);
 }
 
+// What the vehicle itself knows of it: the age of the last measurement, the bearing off the nose.
+std::string visibility(const Picture& p, const ViewOptions& o) {
+  if (!p.target || !p.odometry) return "not known yet";
+  constexpr double kFresh_s = 0.3;
+  const auto& pose = p.odometry->pose().pose();
+  const auto& q = pose.orientation();
+  const double yaw = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
+                                1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+  const double bearing = std::atan2(p.target->position_m()[1] - pose.position().y(),
+                                    p.target->position_m()[0] - pose.position().x());
+  const bool seen = p.target->last_measurement_age_s() < kFresh_s;
+  return fmt::format("{}  {:+.0f}° off the nose",
+                     painted(o, seen, seen ? "the person is seen" : "the person is hidden"),
+                     std::remainder(bearing - yaw, 2.0 * M_PI) * 180.0 / M_PI);
+}
+
 std::string plan(const Picture& p, const ViewOptions& o) {
   if (!p.plan) return "none yet";
   namespace c = foretrack_msgs::msg::PlannedTrajectory_Constants;
@@ -140,6 +156,7 @@ std::string draw(const Picture& p, const ViewOptions& o) {
   text += "person     " + person(p, o) + '\n';
   text += "intention  " + intentions(p);
   text += "distance   " + distance(p, o) + '\n';
+  text += "view       " + visibility(p, o) + '\n';
   text += "plan       " + plan(p, o) + '\n';
   text += "gate       " + safety(p, o) + "\n\n";
   text += topics(p) + '\n' + services(p);

@@ -19,7 +19,8 @@ struct ViewOptions {
 std::string draw(const Picture& picture, const ViewOptions& options);
 /// One line, no control codes.
 std::string status_line(const Picture& picture, const ViewOptions& options);
-nlohmann::json to_json(const Picture& picture);
+nlohmann::ordered_json to_json(const Picture& picture);
+nlohmann::ordered_json to_json(const TopicFlow& flow);
 
 /// Draws over what it drew before, on a screen of its own, which goes when it goes.
 class Screen {

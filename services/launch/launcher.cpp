@@ -26,7 +26,6 @@ constexpr auto kLongestBackOff = 5s;
 constexpr auto kHealthyAfter = 10s;
 constexpr auto kKillPatience = 500ms;
 constexpr auto kLookPeriod = 500ms;
-constexpr int kWrongArguments = 2;  // exit code of every subcommand for what a user must correct
 
 // What the child does between fork and exec: only async-signal-safe calls.
 [[noreturn]] void become(const char* program, char* const* arguments, int log, pid_t parent) {
@@ -49,6 +48,11 @@ std::string describe(int wait_status) {
   if (WIFSIGNALED(wait_status))
     return fmt::format("was killed by {}", sigabbrev_np(WTERMSIG(wait_status)));
   return fmt::format("ended with code {}", WEXITSTATUS(wait_status));
+}
+
+// What a user must correct: 2 by our own commands, 100 and above by the parser of arguments.
+bool is_misuse(int exit_code) {
+  return exit_code == 2 || (exit_code >= 100 && exit_code < 126);
 }
 
 std::chrono::milliseconds back_off(int crashes_in_a_row) {
@@ -123,7 +127,7 @@ std::string Launcher::reap(Process& process, int wait_status) {
     process.given_up = true;
     return what;
   }
-  if (exited && WEXITSTATUS(wait_status) == kWrongArguments) {
+  if (exited && is_misuse(WEXITSTATUS(wait_status))) {
     process.given_up = true;
     return what + " and is not started again:\n" + log_tail(process.spec.name);
   }

@@ -1,0 +1,70 @@
+// foretrack up: every service and the simulator, each as its own process, until Ctrl-C.
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "services/cli/commands.hpp"
+#include "services/common/stop.hpp"
+#include "services/launch/flight_processes.hpp"
+
+namespace foretrack {
+namespace {
+
+struct UpArguments {
+  FlightSpec spec;
+  std::string out = "flights/up";
+  double for_s = std::numeric_limits<double>::infinity();
+};
+
+bool all_given_up(const Launcher& launcher) {
+  for (const auto& process : launcher.processes())
+    if (!process.given_up) return false;
+  return true;
+}
+
+int run_up(const UpArguments& arguments) {
+  Stop stop;
+  SignalStop signals(stop);
+  Launcher launcher(std::filesystem::path(arguments.out) / "logs");
+  for (auto& process : onboard_processes(arguments.spec)) launcher.add(std::move(process));
+  launcher.add(simulator_process(arguments.spec));
+  std::printf("vehicle %s, domain %d, logs in %s/logs; Ctrl-C ends it\n",
+              arguments.spec.vehicle.c_str(), arguments.spec.domain, arguments.out.c_str());
+  const auto begin = std::chrono::steady_clock::now();
+  const auto elapsed_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  while (!stop.requested() && elapsed_s() < arguments.for_s && !all_given_up(launcher)) {
+    for (const auto& line : launcher.poll()) std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  const bool failed = all_given_up(launcher);
+  launcher.stop();
+  return failed ? 1 : 0;
+}
+
+}  // namespace
+
+std::function<int()> prepare_up(CLI::App& app) {
+  auto arguments = std::make_shared<UpArguments>();
+  auto& spec = arguments->spec;
+  app.add_option("--scenario", spec.scenario, "Shipped scenario or file")->capture_default_str();
+  app.add_option("--vehicle", spec.vehicle, "Vehicle name")->capture_default_str();
+  app.add_option("--domain", spec.domain, "DDS domain")
+      ->envname("ROS_DOMAIN_ID")
+      ->check(CLI::Range(0, 232))
+      ->capture_default_str();
+  app.add_option("--map", spec.map, "depth: built from images; known: the true one")
+      ->check(CLI::IsMember({"depth", "known"}))
+      ->capture_default_str();
+  app.add_option("--params", spec.params_file, "Parameter file (YAML)")->check(CLI::ExistingFile);
+  app.add_option("--for", arguments->for_s, "Stop after so many seconds")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--out", arguments->out, "Folder for the logs")->capture_default_str();
+  return [arguments] { return run_up(*arguments); };
+}
+
+}  // namespace foretrack

@@ -1,0 +1,201 @@
+#include "services/ground_station/demo.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "services/common/loop.hpp"
+#include "services/config/load_params.hpp"
+#include "services/flight/fly.hpp"
+#include "services/flight/write_flight.hpp"
+#include "services/ground_station/diagnose.hpp"
+#include "services/ground_station/summary.hpp"
+#include "services/ground_station/view.hpp"
+#include "services/launch/resources.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kTakePeriod_s = 0.01;
+constexpr double kLaunchPeriod_s = 0.05;
+constexpr double kDrawPeriod_s = 0.15;
+constexpr double kOnboardPatience_s = 10.0;  // for the services' first sign of life
+constexpr double kFlightPatience_s = 10.0;   // beyond the scenario's duration, and a half of it
+
+NodeOptions node_options(const FlightSpec& spec) {
+  NodeOptions options;
+  options.service = "demo";
+  options.names.vehicle = spec.vehicle;
+  options.domain_id = spec.domain;
+  return options;
+}
+
+class Demo {
+ public:
+  Demo(const DemoOptions& options, Stop& stop)
+      : options_(options),
+        stop_(stop),
+        launcher_(options.folder / "logs"),
+        node_(node_options(options.spec)),
+        loop_(node_, stop),
+        listener_(node_, true),
+        recorder_(options.scenario) {
+    recorder_.attach(listener_.hooks);
+    for (auto& process : onboard_processes(options_.spec)) launcher_.add(std::move(process));
+  }
+
+  void fly() {
+    begin_s_ = node_.clock().steady_s();
+    if (!options_.headless && is_terminal()) screen_ = std::make_unique<Screen>();
+    loop_.every_wall(kTakePeriod_s, [this] { listener_.update(); });
+    loop_.every_wall(kLaunchPeriod_s, [this] { supervise(); });
+    loop_.every_wall(screen_ ? kDrawPeriod_s : 1.0, [this] { show(); });
+    loop_.every_wall(1.0, [this] {
+      if (simulator_started_s_ > 0.0) resources_.sample(launcher_);
+    });
+    loop_.run();
+    screen_.reset();
+    findings_ = diagnose(listener_.picture());
+    launcher_.stop();
+  }
+
+  int report();
+
+ private:
+  double elapsed_s() const { return node_.clock().steady_s() - begin_s_; }
+  void supervise();
+  bool onboard_is_ready();
+  bool is_over() const;
+  void show();
+  FlightSummary summary() const;
+  void write(const FlightSummary& summary) const;
+
+  DemoOptions options_;
+  Stop& stop_;
+  Launcher launcher_;
+  mutable Node node_;
+  Loop loop_;
+  Listener listener_;
+  Recorder recorder_;
+  ResourceMeter resources_;
+  std::unique_ptr<Screen> screen_;
+  std::vector<std::string> events_;
+  std::vector<Finding> findings_;
+  double begin_s_ = 0.0;
+  double simulator_started_s_ = -1.0;
+};
+
+// The person sets off as soon as the simulator starts, so it starts when the vehicle is ready.
+bool Demo::onboard_is_ready() {
+  const Picture picture = listener_.picture();
+  const auto& processes = launcher_.processes();
+  const bool all = std::all_of(processes.begin(), processes.end(), [&](const Process& process) {
+    return picture.service(process.spec.name) != nullptr;
+  });
+  return all || elapsed_s() > kOnboardPatience_s;
+}
+
+void Demo::supervise() {
+  for (const auto& line : launcher_.poll()) {
+    events_.push_back(fmt::format("{:5.1f} s  {}", elapsed_s(), line));
+    if (!screen_) fmt::print("{}\n", events_.back());
+  }
+  if (simulator_started_s_ < 0.0 && onboard_is_ready()) {
+    launcher_.add(simulator_process(options_.spec));
+    simulator_started_s_ = elapsed_s();
+  }
+  if (is_over()) stop_.request();
+}
+
+bool Demo::is_over() const {
+  if (simulator_started_s_ < 0.0) return false;
+  const auto& simulator = launcher_.processes().back();
+  return simulator.given_up || elapsed_s() - simulator_started_s_ >
+                                   1.5 * options_.scenario.duration_s + kFlightPatience_s;
+}
+
+void Demo::show() {
+  const Picture picture = listener_.picture();
+  ViewOptions view;
+  view.colors = screen_ != nullptr;
+  view.elapsed_s = std::max(0.0, recorder_.rows().empty() ? 0.0 : recorder_.rows().back().now_s);
+  if (!screen_) {
+    fmt::print("{}\n", status_line(picture, view));
+    std::fflush(stdout);
+    return;
+  }
+  std::string text = draw(picture, view);
+  for (std::size_t i = events_.size() > 4 ? events_.size() - 4 : 0; i < events_.size(); ++i)
+    text += events_[i] + '\n';
+  screen_->show(text);
+}
+
+FlightSummary Demo::summary() const {
+  MetricParams params;
+  if (!options_.spec.params_file.empty())
+    params = metric_params_of(load_params(options_.spec.params_file));
+  FlightSummary summary = summarize(recorder_, params);
+  summary.scenario = options_.scenario.name;
+  summary.vehicle = options_.spec.vehicle;
+  summary.domain = options_.spec.domain;
+  summary.folder = options_.folder.string();
+  for (const auto& process : launcher_.processes()) {
+    const auto& name = process.spec.name;
+    auto& of = summary.services[name];
+    of.restarts = std::max(0, process.starts - 1);
+    if (is_onboard(name)) summary.onboard.restarts += of.restarts;
+    const auto use = resources_.by_process().find(name);
+    if (use == resources_.by_process().end()) continue;
+    of.cpu_percent = use->second.cpu_percent();
+    of.memory_bytes = use->second.pss_peak_bytes;
+  }
+  summary.onboard.cpu_percent = resources_.onboard_cpu_percent();
+  summary.onboard.memory_bytes = resources_.onboard_pss_peak_bytes();
+  return summary;
+}
+
+void Demo::write(const FlightSummary& summary) const {
+  const FlightResult flight{options_.scenario, world_of(options_.scenario), recorder_.rows(),
+                            summary.metrics};
+  write_flight(flight, MetricParams{}, options_.folder);
+  std::ofstream file(options_.folder / "summary.json");
+  file << to_json_text(summary);
+  if (!file.flush())
+    throw std::runtime_error("cannot write " + (options_.folder / "summary.json").string());
+  if (recorder_.rows().size() < 2) return;
+  try {
+    plot_flight(options_.folder);
+  } catch (const std::exception& error) {
+    fmt::print("{}\n", error.what());
+  }
+}
+
+int Demo::report() {
+  const FlightSummary of = summary();
+  write(of);
+  fmt::print("{}\n", to_text(of));
+  if (!of.happened())
+    fmt::print("The vehicle did not fly. What the doctor says:\n\n{}\n", to_text(findings_));
+  else if (of.metrics.collisions > 0)
+    fmt::print("The vehicle collided {} times.\n", of.metrics.collisions);
+  fmt::print("{}: log.csv metrics.json summary.json flight.png logs/\n", options_.folder.string());
+  std::fflush(stdout);
+  return of.good() ? 0 : 1;
+}
+
+}  // namespace
+
+int run_demo(const DemoOptions& options) {
+  Stop stop;
+  SignalStop signals(stop);
+  Demo demo(options, stop);
+  demo.fly();
+  const int status = demo.report();
+  return status;
+}
+
+}  // namespace foretrack

@@ -1,0 +1,111 @@
+#include "services/ground_station/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace foretrack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string percent(double share) {
+  return fmt::format("{:.1f} %", 100.0 * share);
+}
+
+std::string row(const char* name, const std::string& value, const std::string& remark = "") {
+  return fmt::format("  {:<20}{:>12}   {}\n", name, value, remark);
+}
+
+std::string tracking(const Metrics& m) {
+  std::string text;
+  text += row("failure rate", percent(m.failure_rate),
+              fmt::format("out of view {}, hidden {}, too near {}", percent(m.fov_loss_rate),
+                          percent(m.occlusion_rate), percent(m.near_rate)));
+  text += row("distance", fmt::format("{:.2f} m", m.mean_distance_m),
+              fmt::format("mean; smallest {:.2f} m; in the band {}", m.min_distance_m,
+                          percent(m.band_share)));
+  text += row("longest loss", fmt::format("{:.1f} s", m.longest_loss_s),
+              fmt::format("{} losses of sight", m.losses));
+  text += row("turns kept", fmt::format("{} of {}", m.turn_successes, m.turns),
+              "in sight and at distance, without a collision");
+  text += row("collisions", std::to_string(m.collisions),
+              std::isfinite(m.min_clearance_m)
+                  ? fmt::format("smallest clearance {:.2f} m", m.min_clearance_m)
+                  : "nothing to collide with");
+  text += row("intention", fmt::format("{} of {}", m.foreseen, m.turns),
+              fmt::format("turns foreseen, {:.2f} s ahead on average", m.lead_time_mean_s));
+  return text;
+}
+
+std::string times(const FlightSummary& s) {
+  std::string text =
+      fmt::format("\n  {:<20}{:>9}{:>9}{:>9}{:>9}\n", "wall time [ms]", "p50", "p95", "p99", "max");
+  const auto line = [&](const std::string& name, const Quantiles& q) {
+    text +=
+        fmt::format("  {:<20}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}\n", name, q.p50, q.p95, q.p99, q.max);
+  };
+  for (const auto& [name, quantiles] : s.stage_ms) line(name, quantiles);
+  line("image to setpoint", s.latency_ms);
+  return text;
+}
+
+std::string services(const FlightSummary& s) {
+  std::string text =
+      fmt::format("\n  {:<20}{:>12}{:>12}{:>12}\n", "service", "processor", "memory", "restarts");
+  const auto line = [&](const std::string& name, const ServiceSummary& of) {
+    text += fmt::format("  {:<20}{:>10.1f} %{:>9.1f} MB{:>12}\n", name, of.cpu_percent,
+                        of.memory_bytes / 1e6, of.restarts);
+  };
+  for (const auto& [name, of] : s.services) line(name, of);
+  line("onboard together", s.onboard);
+  return text;
+}
+
+Json json_of(const Quantiles& q) {
+  return {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}};
+}
+
+Json json_of(const ServiceSummary& s) {
+  return {
+      {"cpu_percent", s.cpu_percent}, {"memory_bytes", s.memory_bytes}, {"restarts", s.restarts}};
+}
+
+}  // namespace
+
+FlightSummary summarize(const Recorder& recorder, const MetricParams& params) {
+  FlightSummary summary;
+  summary.path_length_m = recorder.path_length_m();
+  summary.plans = recorder.plans();
+  if (!recorder.rows().empty()) summary.metrics = metrics_of(recorder.rows(), params);
+  for (const auto& [name, values] : recorder.stage_ms())
+    summary.stage_ms[name] = quantiles_of(values);
+  summary.latency_ms = quantiles_of(recorder.latency_ms());
+  if (summary.stage_ms.contains("plan")) summary.metrics.plan_ms = summary.stage_ms.at("plan");
+  return summary;
+}
+
+std::string to_text(const FlightSummary& s) {
+  std::string text = fmt::format("\nFlight of {}: {:.1f} s, {:.1f} m flown, {} plans\n\n",
+                                 s.scenario, s.metrics.duration_s, s.path_length_m, s.plans);
+  return text + tracking(s.metrics) + times(s) + services(s);
+}
+
+std::string to_json_text(const FlightSummary& s) {
+  Json json = {{"scenario", s.scenario},
+               {"vehicle", s.vehicle},
+               {"domain", s.domain},
+               {"happened", s.happened()},
+               {"good", s.good()},
+               {"path_length_m", s.path_length_m},
+               {"plans", s.plans},
+               {"metrics", Json::parse(foretrack::json_of(s.metrics))},
+               {"latency_ms", json_of(s.latency_ms)}};
+  for (const auto& [name, quantiles] : s.stage_ms) json["stage_ms"][name] = json_of(quantiles);
+  for (const auto& [name, of] : s.services) json["services"][name] = json_of(of);
+  json["onboard"] = json_of(s.onboard);
+  return json.dump(2) + '\n';
+}
+
+}  // namespace foretrack

@@ -1,0 +1,43 @@
+// What a demo flight was like: one value, as a table for people and as JSON for programs.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "services/flight/metrics.hpp"
+#include "services/ground_station/recorder.hpp"
+
+namespace foretrack {
+
+struct ServiceSummary {
+  double cpu_percent = 0.0;   // of one core, mean
+  double memory_bytes = 0.0;  // proportional share, peak
+  int restarts = 0;
+};
+
+struct FlightSummary {
+  std::string scenario;
+  std::string vehicle;
+  int domain = 0;
+  Metrics metrics;
+  double path_length_m = 0.0;
+  int plans = 0;
+  Quantiles latency_ms;                       // image's stamp → setpoint
+  std::map<std::string, Quantiles> stage_ms;  // "plan", "plan: corridor", "predict", …
+  std::map<std::string, ServiceSummary> services;
+  ServiceSummary onboard;  // all services on the vehicle together
+  std::string folder;
+
+  /// The vehicle flew: it moved, and by plans.
+  bool happened() const { return path_length_m > 0.5 && plans > 0; }
+  bool good() const { return happened() && metrics.collisions == 0; }
+};
+
+/// Metrics and times; the services are left to the caller.
+FlightSummary summarize(const Recorder& recorder, const MetricParams& params);
+
+std::string to_text(const FlightSummary& summary);
+std::string to_json_text(const FlightSummary& summary);
+
+}  // namespace foretrack

@@ -1,0 +1,34 @@
+// Which processes make a flight, and their arguments.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/launch/launcher.hpp"
+
+namespace foretrack {
+
+struct FlightSpec {
+  std::string scenario = "t_intersection";  // shipped name or file
+  std::string track_file;                   // walk as this recorded pedestrian; empty: no
+  int pedestrian = -1;
+  double duration_s = 0.0;            // of simulated time; 0: for ever
+  std::optional<std::uint64_t> seed;  // of the scenario; none: the scenario's own
+  std::string map = "depth";          // or "known": the true one, and no mapping
+  std::string vehicle = "uav1";
+  int domain = 0;
+  std::string params_file;  // of the stages; empty: defaults
+};
+
+/// The services on the vehicle, in the order of the pipeline. Their names are their subcommands.
+inline constexpr const char* kOnboardServices[] = {"perception", "mapping", "prediction",
+                                                   "planning", "safety_gate"};
+bool is_onboard(const std::string& service);
+
+/// Without mapping, if the map is known.
+std::vector<ProcessSpec> onboard_processes(const FlightSpec& spec);
+ProcessSpec simulator_process(const FlightSpec& spec);
+
+}  // namespace foretrack

@@ -1,0 +1,164 @@
+#include "services/ground_station/diagnose.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace foretrack {
+namespace {
+
+using testing::HasSubstr;
+namespace msg = foretrack_msgs::msg;
+
+// A flight in which all is well, until a test breaks it.
+struct Flight {
+  Flight() {
+    odometry.twist().twist().linear().x(1.0);
+    target.status(msg::TargetState_Constants::STATUS_TRACKING);
+    plan.status(msg::PlannedTrajectory_Constants::STATUS_FRESH);
+    safety.mode(msg::SafetyState_Constants::MODE_TRACK);
+    safety.armed(true);
+    safety.offboard(true);
+    picture.vehicle = "uav1";
+    picture.domain = 7;
+    picture.odometry = &odometry;
+    picture.target = &target;
+    picture.prediction = &prediction;
+    picture.plan = &plan;
+    picture.safety = &safety;
+    for (const char* topic :
+         {"odometry", "target/observation", "camera/depth/image", "target/state", "map/local",
+          "target/intention", "target/prediction", "plan/trajectory", "safety/state"})
+      picture.flows.push_back({.topic = topic,
+                               .wire = std::string("rt/uav1/") + topic,
+                               .rate_hz = 20.0,
+                               .age_s = 0.05,
+                               .writers = 1,
+                               .samples = 60,
+                               .rejected = {}});
+  }
+  TopicFlow& flow(std::string_view topic) { return const_cast<TopicFlow&>(*picture.flow(topic)); }
+  void silence(std::string_view topic) {
+    flow(topic).samples = 0;
+    flow(topic).writers = 0;
+    flow(topic).age_s = -1.0;
+  }
+  std::string cause() const {
+    const auto findings = diagnose(picture);
+    const auto* first = first_cause(findings);
+    return first ? first->text : "";
+  }
+
+  nav_msgs::msg::Odometry odometry;
+  msg::TargetState target;
+  msg::TargetPrediction prediction;
+  msg::PlannedTrajectory plan;
+  msg::SafetyState safety;
+  Picture picture;
+};
+
+TEST(Diagnose, FindsNothingInAGoodFlight) {
+  EXPECT_EQ(Flight().cause(), "");
+}
+
+TEST(Diagnose, NamesTheTopicAndTheServiceThatIsMissing) {
+  constexpr std::array<std::array<const char*, 2>, 8> kWriters = {
+      {{"odometry", "simulator"},
+       {"target/observation", "simulator"},
+       {"target/state", "perception"},
+       {"map/local", "mapping"},
+       {"target/intention", "prediction"},
+       {"target/prediction", "prediction"},
+       {"plan/trajectory", "planning"},
+       {"safety/state", "safety_gate"}}};
+  for (const auto& [topic, service] : kWriters) {
+    Flight flight;
+    flight.silence(topic);
+    EXPECT_THAT(flight.cause(), HasSubstr(std::string("rt/uav1/") + topic));
+    EXPECT_THAT(flight.cause(), HasSubstr(std::string("service ") + service + " is missing"));
+  }
+}
+
+TEST(Diagnose, GivesTheFirstCauseOfAChainOfFaults) {
+  Flight flight;
+  flight.silence("map/local");
+  flight.silence("plan/trajectory");
+  flight.safety.mode(msg::SafetyState_Constants::MODE_HOVER);
+  flight.safety.reason(msg::SafetyState_Constants::REASON_NO_PLAN_YET);
+  EXPECT_THAT(flight.cause(), HasSubstr("map/local"));
+}
+
+TEST(Diagnose, BlamesMissingDepthImagesForAMissingMap) {
+  Flight flight;
+  flight.silence("camera/depth/image");
+  EXPECT_EQ(flight.cause(), "") << "a map that comes needs no depth images";
+  flight.silence("map/local");
+  EXPECT_THAT(flight.cause(), HasSubstr("camera/depth/image"));
+}
+
+TEST(Diagnose, LetsAKnownMapBeOld) {
+  Flight flight;
+  flight.flow("map/local").age_s = 100.0;
+  EXPECT_THAT(flight.cause(), HasSubstr("stopped 100.0 s ago"));
+  flight.picture.map_is_static = true;
+  EXPECT_EQ(flight.cause(), "");
+}
+
+TEST(Diagnose, TellsAMismatchOfQualityFromAMissingWriter) {
+  Flight flight;
+  flight.silence("target/state");
+  flight.flow("target/state").incompatible_qos = 1;
+  EXPECT_THAT(flight.cause(), HasSubstr("quality of service"));
+}
+
+TEST(Diagnose, TellsAForeignTypeFromAMissingWriter) {
+  Flight flight;
+  flight.silence("target/state");
+  flight.picture.foreign = {"a writer on rt/uav1/target/state will never match: its type is X."};
+  EXPECT_THAT(flight.cause(), HasSubstr("its type is X"));
+}
+
+TEST(Diagnose, SaysWhyEverySampleWasRejected) {
+  Flight flight;
+  flight.flow("target/state").samples = 0;
+  flight.flow("target/state").rejected = {{"stamp in the future", 12}};
+  EXPECT_THAT(flight.cause(), HasSubstr("12 × stamp in the future"));
+}
+
+TEST(Diagnose, SaysInPlainWordsWhyThereIsNoPlan) {
+  Flight flight;
+  flight.plan.status(msg::PlannedTrajectory_Constants::STATUS_HOLD);
+  flight.plan.reason(msg::PlannedTrajectory_Constants::REASON_NO_PATH);
+  EXPECT_THAT(flight.cause(), HasSubstr("no free way to a place from which the person is visible"));
+}
+
+TEST(Diagnose, SaysThatTheAutopilotIsNotArmedOrNotOffboard) {
+  Flight flight;
+  flight.safety.offboard(false);
+  EXPECT_THAT(flight.cause(), HasSubstr("not in offboard mode"));
+  flight.safety.armed(false);
+  EXPECT_THAT(flight.cause(), HasSubstr("not armed"));
+}
+
+TEST(Diagnose, NoticesAClockThatDiffers) {
+  Flight flight;
+  ServiceReport report;
+  report.health.service("planning");
+  report.clock_ahead_s = -2.0;
+  flight.picture.services.push_back(report);
+  EXPECT_THAT(flight.cause(), HasSubstr("clock of planning is -2.0 s off"));
+}
+
+TEST(Diagnose, SaysOneThingWhenNobodyIsThere) {
+  Flight flight;
+  for (auto& flow : flight.picture.flows) flight.silence(flow.topic);
+  flight.picture.other_vehicles = {"kestrel"};
+  const auto findings = diagnose(flight.picture);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, HasSubstr("'uav1' is heard on DDS domain 7"));
+  EXPECT_THAT(findings[0].advice, HasSubstr("kestrel"));
+}
+
+}  // namespace
+}  // namespace foretrack
