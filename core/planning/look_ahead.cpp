@@ -164,7 +164,7 @@ class LookingAhead {
     const PlaceParams& place = context_.params.place;
     sample.distance_high_m = place.distance_high_m;
     sample.distance_low_m =
-        std::min(place.distance_low_m + place.distance_extra_m * slower_, place.distance_high_m);
+        std::min(place.distance_kept_m() + place.distance_extra_m * slower_, place.distance_high_m);
     return sample;
   }
 

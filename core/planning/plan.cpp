@@ -98,9 +98,9 @@ class Replan {
   double wanted_distance_m() const {
     const double low_m =
         in_.intention != nullptr && params_.horizon.intention_margins
-            ? params_.place.distance_low_m +
+            ? params_.place.distance_kept_m() +
                   params_.place.distance_extra_m * (*in_.intention)[Intention::kDecelerate].score
-            : params_.place.distance_low_m;
+            : params_.place.distance_kept_m();
     return std::max(params_.distance_wanted_m(),
                     std::min(low_m + params_.place.ring_tolerance_m,
                              params_.place.distance_high_m - params_.place.ring_tolerance_m));

@@ -21,27 +21,30 @@ struct HorizonParams {
   bool intention_margins = true;       // θ_εl, θ_εr, d̂_l
   double path_probability_min = 0.06;  // less likely paths are not hedged against
   double merge_distance_m = 0.12;      // nearer points of two paths are one sample
-  double later_discount_per_s = 0.25;  // weights fall by e^(−this · t_k)
+  double later_discount_per_s = 0.6;   // weights fall by e^(−this · t_k)
 };
 
 /// Where the vehicle wants to be: ring, visible regions, heights, corridor.
 struct PlaceParams {
-  double distance_low_m = 1.5;          // d_l
-  double distance_high_m = 2.5;         // d_u
-  double distance_extra_m = 0.4;        // d_ε
-  double ring_tolerance_m = 0.2;        // of the wanted distance, the middle of the band
-  double margin_min_rad = 0.12;         // θ_0
-  double margin_extra_rad = 0.4;        // θ_ε
-  double margin_share_max = 0.7;        // margins take at most this part of a visible region
-  double height_above_target_m = 0.25;  // wanted
-  double height_search_m = 0.6;         // other levels, this far up and down, when that is not free
-  double search_clearance_m = 0.1;      // of the path, beyond the vehicle's radius
-  int search_expansions_max = 3000;     // of all searches of one plan
-  int sector_steps = 24;                // rays in a quarter turn
-  double corridor_reach_m = 1.2;        // of a polytope, beyond its segment
-  double corridor_height_m = 0.5;       // the same, up and down
-  double segment_max_m = 2.5;           // length of path in one polytope
+  double distance_low_m = 1.5;         // d_l
+  double distance_high_m = 2.5;        // d_u
+  double distance_reserve_m = 0.4;     // kept beyond d_l, for what the vehicle needs to react
+  double distance_extra_m = 0.4;       // d_ε
+  double ring_tolerance_m = 0.2;       // of the wanted distance, the middle of the band
+  double margin_min_rad = 0.12;        // θ_0
+  double margin_extra_rad = 0.4;       // θ_ε
+  double margin_share_max = 0.7;       // margins take at most this part of a visible region
+  double height_above_target_m = 0.1;  // wanted
+  double height_search_m = 0.6;        // other levels, this far up and down, when that is not free
+  double search_clearance_m = 0.1;     // of the path, beyond the vehicle's radius
+  int search_expansions_max = 3000;    // of all searches of one plan
+  int sector_steps = 24;               // rays in a quarter turn
+  double corridor_reach_m = 1.2;       // of a polytope, beyond its segment
+  double corridor_height_m = 0.5;      // the same, up and down
+  double segment_max_m = 2.5;          // length of path in one polytope
   int polytopes_max = 5;
+
+  double distance_kept_m() const { return distance_low_m + distance_reserve_m; }
 };
 
 /// Field of view and what the camera's axes may do.
@@ -64,7 +67,9 @@ struct PlanningParams {
   OptimizerParams optimizer;
   CheckParams check;
 
-  double distance_wanted_m() const { return 0.5 * (place.distance_low_m + place.distance_high_m); }
+  double distance_wanted_m() const {
+    return 0.5 * (place.distance_kept_m() + place.distance_high_m);
+  }
   double path_clearance_m() const { return check.vehicle_radius_m + place.search_clearance_m; }
 };
 /// Every row of every part, in the order above.
