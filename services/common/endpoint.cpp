@@ -52,6 +52,8 @@ WriterCore::WriterCore(Node& node, const TopicInfo& info, const TypeOps& ops)
   if (of_node.publisher->get_datawriter_qos_from_profile(info.profile, qos) !=
       ReturnCode_t::RETCODE_OK)
     no_profile(info);
+  if (std::string_view(info.profile) == kMapFlow)
+    qos.publish_mode().flow_controller_name = kMapFlow;
   const auto mask = dds::StatusMask::publication_matched()
                     << dds::StatusMask::offered_incompatible_qos();
   dds->writer =
