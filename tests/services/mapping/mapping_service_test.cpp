@@ -1,5 +1,7 @@
 #include "services/mapping/mapping_service.hpp"
 
+#include <gmock/gmock.h>
+
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
 #include "tests/services/onboard/neighbours.hpp"

@@ -20,7 +20,9 @@ class PlanningOnDds : public ::testing::Test {
   void send_target(double stamp_s) {
     to_idl(walking_target(stamp_s), target_.sample());
     target_.write();
-    Prediction prediction{.stamp_s = stamp_s, .status = PredictionStatus::kOk};
+    Prediction prediction;
+    prediction.stamp_s = stamp_s;
+    prediction.status = PredictionStatus::kOk;
     PredictedPath path{Intention::kForward, 1.0, {}};
     for (int k = 1; k <= 15; ++k)
       path.states.push_back({.time_s = 0.2 * k,

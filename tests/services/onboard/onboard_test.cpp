@@ -1,0 +1,100 @@
+#include "services/onboard/onboard.hpp"
+
+#include <gmock/gmock.h>
+
+#include "services/config/load_scenario.hpp"
+#include "services/convert/safety.hpp"
+#include "services/convert/trajectory.hpp"
+#include "services/simulator/simulator_service.hpp"
+#include "tests/services/onboard/neighbours.hpp"
+
+namespace foretrack::testing {
+namespace {
+
+// The whole vehicle against the simulator at its natural pace; what is seen is only what the bus
+// says.
+class FlightOnDds : public ::testing::Test {
+ protected:
+  explicit FlightOnDds(const char* scenario = "open_field", MapSource map = MapSource::kKnown) {
+    ScenarioOverrides overrides;
+    overrides.map = map;
+    scenario_ = load_scenario(scenario, overrides);
+    simulator_.emplace([this](const ServiceOptions& options, Stop& stop) {
+      run_simulator(options, scenario_, {.speed = 1.0, .endless = true}, stop);
+    });
+    onboard_.emplace([map](const ServiceOptions& options, Stop& stop) {
+      ServiceOptions simulated = options;
+      simulated.use_sim_time = true;
+      run_onboard(simulated, TrackerParams{}, map == MapSource::kDepth, stop);
+    });
+  }
+
+  void listen() {
+    report_reader_.take_each_as(
+        [](const foretrack_msgs::msg::SafetyState& message) { return from_idl(message); },
+        [this](const GateReport& report) { report_ = report; });
+    target_reader_.take_each_as(
+        [](const nav_msgs::msg::Odometry& message) { return from_idl(message); },
+        [this](const VehicleState& state) { target_ = state; });
+    vehicle_reader_.take_each_as(
+        [](const nav_msgs::msg::Odometry& message) { return from_idl(message); },
+        [this](const VehicleState& state) { vehicle_ = state; });
+  }
+  bool tracks() {
+    listen();
+    return report_.result.mode == SafetyMode::kTrack && report_.autopilot.offboard;
+  }
+  double distance_m() const { return distance_xy(target_.position_enu_m, vehicle_.position_enu_m); }
+
+  Scenario scenario_;
+  std::optional<Running> simulator_, onboard_;
+  Neighbours neighbours_;
+  Reader<topics::SafetyState> report_reader_{neighbours_.node()};
+  Reader<topics::TargetTruth> target_reader_{neighbours_.node()};
+  Reader<topics::VehicleTruth> vehicle_reader_{neighbours_.node()};
+  GateReport report_;
+  VehicleState target_, vehicle_;
+};
+
+class FlightWithDepth : public FlightOnDds {
+ protected:
+  FlightWithDepth() : FlightOnDds("open_field", MapSource::kDepth) {}
+};
+
+TEST_F(FlightOnDds, FollowsThePersonInAKnownMap) {
+  ASSERT_TRUE(neighbours_.until([&] { return tracks(); }));
+  const Vec3 start = target_.position_enu_m;
+  ASSERT_TRUE(neighbours_.until([&] {
+    listen();
+    return distance_xy(target_.position_enu_m, start) > 4.0;
+  }));
+  EXPECT_LT(distance_m(), 4.0);
+  EXPECT_GT(distance_m(), 0.8);
+}
+
+TEST_F(FlightWithDepth, FollowsThePersonInAMapOfItsOwn) {
+  ASSERT_TRUE(neighbours_.until([&] { return tracks(); }));
+  const Vec3 start = target_.position_enu_m;
+  ASSERT_TRUE(neighbours_.until([&] {
+    listen();
+    return distance_xy(target_.position_enu_m, start) > 4.0;
+  }));
+  EXPECT_LT(distance_m(), 4.0);
+}
+
+TEST(Onboard, NamesItsServicesInTheOrderOfThePipeline) {
+  std::vector<std::string> names;
+  for (const auto& service : onboard_services()) names.push_back(service.name);
+  EXPECT_THAT(names, ::testing::ElementsAre("perception", "mapping", "prediction", "planning",
+                                            "safety_gate"));
+}
+
+TEST(Onboard, ThrowsWhatAServiceCouldNotStartWith) {
+  ServiceOptions options = service_options();
+  options.names.vehicle = "Not A Name";
+  Stop stop;
+  EXPECT_THROW(run_onboard(options, TrackerParams{}, true, stop), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foretrack::testing
