@@ -85,7 +85,8 @@ Converted<DepthImage> from_idl(const sensor_msgs::msg::Image& in, const CameraMo
   Checks checks;
   const bool metres = in.encoding() == kFloatMetres;
   checks.stamp("header.stamp", in.header().stamp());
-  if (!metres) checks.frame("encoding", in.encoding(), kMillimetres);
+  if (!metres && in.encoding() != kMillimetres)
+    checks.fail("encoding", in.encoding().substr(0, 32), "32FC1 or 16UC1");
   if (in.is_bigendian()) checks.fail("is_bigendian", "true", "false");
   checks.in_range("width", in.width(), camera.width_px, camera.width_px);
   checks.in_range("height", in.height(), camera.height_px, camera.height_px);

@@ -13,6 +13,7 @@ constexpr auto convert = [](auto&& message) {
   return from_idl(std::forward<decltype(message)>(message));
 };
 
+const Fault kNoPose{"odometry", "no odometry of the image's stamp"};
 constexpr double kMapPeriod_s = 0.1;
 constexpr double kOctreePeriod_s = 1.0;
 constexpr double kWatchPeriod_s = 0.5;
@@ -52,11 +53,13 @@ void MappingService::take_mount(const tf2_msgs::msg::TFMessage& message) {
 }
 
 void MappingService::take(const sensor_msgs::msg::Image& message) {
+  arrived_s_ = service_.clock().now_s();
   if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
+  if (waiting_) image_.refuse(kNoPose);
+  waiting_ = false;
   auto image = from_idl(message, *camera_, std::move(depth_.depth_m));
   if (!image) return image_.refuse(image.fault());
   depth_ = std::move(*image);
-  arrived_s_ = service_.clock().now_s();
   waiting_ = true;
   update();
 }
@@ -70,8 +73,7 @@ void MappingService::update() {
   waiting_ = false;
   const TargetState* target = target_ && target_->usable() ? &*target_ : nullptr;
   const auto result = update_map(state_, depth_, vehicle_.history(), target, params_);
-  if (result.status != MapStatus::kUpdated)
-    return image_.refuse(Fault{"odometry", "no odometry of the image's stamp"});
+  if (result.status != MapStatus::kUpdated) return image_.refuse(kNoPose);
   publish();
 }
 
@@ -93,7 +95,10 @@ void MappingService::watch() {
   const double now_s = service_.clock().now_s();
   const bool seeing = now_s - arrived_s_ < kImageStale_s;
   const bool placed = vehicle_.age_s(now_s) < kImageStale_s;
-  service_.health().set_degraded(!seeing ? "no depth images" : placed ? "" : "no odometry");
+  service_.health().set_degraded(!seeing    ? "no depth images"
+                                 : !camera_ ? "no camera_info"
+                                 : !placed  ? "no odometry"
+                                            : "");
 }
 
 void run_mapping(const ServiceOptions& options, const MappingParams& params, Stop& stop) {

@@ -69,19 +69,22 @@ class Neighbours {
     });
   }
 
-  /// How many samples of the topic the service has refused, by its own account.
-  std::uint64_t refused(std::string_view topic) {
+  /// How many samples of the topic the service has refused, by its own account; for one reason, or
+  /// for any.
+  std::uint64_t refused(const std::string& topic, const std::string& reason = {}) {
     health_.take_each([this](const foretrack_msgs::msg::ServiceHealth& health) {
-      error_ = health.last_error().c_str();
       for (const auto& row : health.topics()) {
-        std::uint64_t sum = 0;
-        for (const auto& reason : row.rejected()) sum += reason.samples();
-        if (!row.writes()) refused_[without_prefix(row.topic().c_str())] = sum;
+        if (row.writes()) continue;
+        auto& reasons = refused_[without_prefix(row.topic().c_str())];
+        for (const auto& rejected : row.rejected())
+          reasons[rejected.reason().c_str()] = rejected.samples();
       }
     });
-    return refused_[std::string(topic)];
+    std::uint64_t sum = 0;
+    for (const auto& [why, samples] : refused_[topic])
+      if (reason.empty() || why == reason) sum += samples;
+    return sum;
   }
-  const std::string& last_error() const { return error_; }
 
  private:
   // rt/uav1/target/state is target/state.
@@ -94,8 +97,7 @@ class Neighbours {
   Node node_;
   Writer<topics::Odometry> odometry_;
   Reader<topics::ServiceHealth> health_;
-  std::map<std::string, std::uint64_t> refused_;
-  std::string error_;
+  std::map<std::string, std::map<std::string, std::uint64_t>> refused_;
 };
 
 /// A free box of 12 × 12 × 4 m around (0, 0, 2).
