@@ -86,7 +86,8 @@ def draw_top_view(axes, log, scenario):
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
     axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.06), ncol=6, fontsize=8, frameon=False)
-    axes.figure.colorbar(lines, ax=axes, label="time [s]", fraction=0.03, pad=0.01)
+    bar = axes.figure.colorbar(lines, ax=axes, label="time [s]", fraction=0.03, pad=0.01)
+    bar.ax.set_ylim(0, t[-1])
 
 
 def draw_distance(axes, log, scenario):

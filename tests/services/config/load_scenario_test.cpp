@@ -55,7 +55,8 @@ target:
   height_m: 1.8
   shoulder_lead_s: 0.4
 vehicle: {position_m: [-2, 0, 1.5], yaw_rad: 0.5}
-sensors: {landmark_noise_px: 1.0, depth_noise_m: 0.03, delay_s: 0.06, dropout: 0.1, fov_gated: false}
+sensors:
+  {landmark_noise_px: 1.0, depth_noise_m: 0.03, delay_s: 0.06, dropout: 0.1, fov_gated: false}
 wind: {mean_m_s: [1, 2, 0], gust_m_s: 0.5}
 map: depth
 duration_s: 42
