@@ -63,7 +63,7 @@ double ground_clearance_m(const World& world, const Vec2& from_m, const Vec2& to
                           double height_m = 2.0);
 
 /// A cell is occupied if it overlaps a shape, else free; the grid covers the bounds. Distances are
-/// filled. Cost: a few ms for 40 × 40 × 5 m at 0.15 m, mostly the distance transform.
+/// filled. Cost: about 30 ms for 40 × 40 × 5 m at 0.15 m, mostly the distance transform.
 GridMap known_map(const World& world, double resolution_m);
 
 enum class WorldKind : std::uint8_t {
