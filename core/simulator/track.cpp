@@ -45,6 +45,18 @@ int whole(double value, const char* name, const Place& place) {
   return static_cast<int>(value);
 }
 
+// Their ids, runs as "3–9".
+std::string runs_of(const std::vector<Track>& tracks) {
+  std::string text;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const std::size_t first = i;
+    while (i + 1 < tracks.size() && tracks[i + 1].pedestrian == tracks[i].pedestrian + 1) ++i;
+    text.append(text.empty() ? "" : ", ").append(std::to_string(tracks[first].pedestrian));
+    if (i > first) text.append("–").append(std::to_string(tracks[i].pedestrian));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, double rate_hz,
@@ -78,13 +90,10 @@ std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, doubl
 
 const Track& track_of(const std::vector<Track>& tracks, int pedestrian,
                       const std::string& file_name) {
-  std::string known;
-  for (const auto& track : tracks) {
+  for (const auto& track : tracks)
     if (track.pedestrian == pedestrian) return track;
-    known.append(known.empty() ? "" : ", ").append(std::to_string(track.pedestrian));
-  }
   throw std::invalid_argument(file_name + ": no pedestrian " + std::to_string(pedestrian) +
-                              "; there are " + known);
+                              "; there are " + runs_of(tracks));
 }
 
 }  // namespace foretrack

@@ -55,12 +55,13 @@ TEST(ParseTracks, NamesLineFaultAndExpectedRow) {
 }
 
 TEST(TrackOf, ListsThePedestriansThatExist) {
-  const auto tracks = parse_tracks("1 4 0 0\n1 9 0 0\n", TrackFormat::kFrameIdXy, 25.0, "w");
+  const auto tracks =
+      parse_tracks("1 4 0 0\n1 7 0 0\n1 8 0 0\n1 9 0 0\n", TrackFormat::kFrameIdXy, 25.0, "w");
   try {
     track_of(tracks, 5, "walks.txt");
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("no pedestrian 5"), HasSubstr("4, 9")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("no pedestrian 5"), HasSubstr("4, 7–9")));
   }
 }
 
