@@ -12,7 +12,7 @@ namespace foretrack {
 struct HorizonParams {
   double horizon_s = 3.0;              // T_p
   double step_s = 0.2;                 // Δ
-  double replan_lead_s = 0.05;         // a new plan joins the flown one this far ahead
+  double replan_lead_s = 0.02;         // a new plan joins the flown one this far ahead
   double restart_distance_m = 0.6;     // further from the flown trajectory: start where it is
   double vehicle_stale_s = 0.5;        // an older vehicle state is not planned from
   double search_s = 12.0;              // a lost target is searched for so long

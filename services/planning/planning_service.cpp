@@ -1,5 +1,6 @@
 #include "services/planning/planning_service.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/planning/stage_clock.hpp"
@@ -57,7 +58,9 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
                  [this](const IntentionAssessment& intention) { intention_ = intention; });
   loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
     prediction_ = std::move(prediction);
-    if (std::abs(service_.clock().now_s() - planned_s_) >= kSoonest_s) replan();
+    // Not before the last plan has started: the gate keeps but one waiting.
+    const double soonest_s = std::max(kSoonest_s, params_.horizon.replan_lead_s);
+    if (std::abs(service_.clock().now_s() - planned_s_) >= soonest_s) replan();
   });
   loop.every(kWatchPeriod_s, [this] { replan_if_late(); });
 }
