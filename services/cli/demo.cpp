@@ -59,6 +59,9 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_flag("--headless", options.headless, "A line a second instead of a screen");
   app.add_option("--out", out, "Folder; default: flights/<scenario>-<date>");
   app.add_option("--vehicle", options.spec.vehicle, "Vehicle name")->capture_default_str();
+  app.add_option("--speed", options.spec.speed, "Simulated seconds in a second")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
   app.add_option("--map", options.spec.map, "depth: built from images; known: the true one")
       ->check(CLI::IsMember({"depth", "known"}))
       ->capture_default_str();

@@ -57,6 +57,9 @@ std::function<int()> prepare_up(CLI::App& app) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
+  app.add_option("--speed", spec.speed, "Simulated seconds in a second")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
   app.add_option("--map", spec.map, "depth: built from images; known: the true one")
       ->check(CLI::IsMember({"depth", "known"}))
       ->capture_default_str();

@@ -79,6 +79,8 @@ void DiscoveryWatch::expect(const std::string& topic, const TypeOps& ops) {
 }
 
 void DiscoveryWatch::see(const Guid& guid, ForeignEndpoint seen) {
+  const auto* own = node_.dds().participant;
+  if (own && guid.guidPrefix == own->guid().guidPrefix) return;
   const std::lock_guard lock(mutex_);
   judge(seen);
   if (seen_.size() < kMaxSeen || seen_.contains(guid)) seen_[guid] = std::move(seen);

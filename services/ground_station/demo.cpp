@@ -55,11 +55,13 @@ class Demo {
     loop_.every_wall(kLaunchPeriod_s, [this] { supervise(); });
     loop_.every_wall(screen_ ? kDrawPeriod_s : 1.0, [this] { show(); });
     loop_.every_wall(1.0, [this] {
-      if (simulator_started_s_ > 0.0) resources_.sample(launcher_);
+      if (simulator_started_s_ < 0.0) return;
+      resources_.sample(launcher_);
+      findings_ = diagnose(listener_.picture());
     });
     loop_.run();
+    wall_s_ = elapsed_s() - std::max(0.0, simulator_started_s_);
     screen_.reset();
-    findings_ = diagnose(listener_.picture());
     launcher_.stop();
   }
 
@@ -87,6 +89,7 @@ class Demo {
   std::vector<Finding> findings_;
   double begin_s_ = 0.0;
   double simulator_started_s_ = -1.0;
+  double wall_s_ = 0.0;
 };
 
 // The person sets off as soon as the simulator starts, so it starts when the vehicle is ready.
@@ -114,8 +117,9 @@ void Demo::supervise() {
 bool Demo::is_over() const {
   if (simulator_started_s_ < 0.0) return false;
   const auto& simulator = launcher_.processes().back();
-  return simulator.given_up || elapsed_s() - simulator_started_s_ >
-                                   1.5 * options_.scenario.duration_s + kFlightPatience_s;
+  return simulator.given_up ||
+         elapsed_s() - simulator_started_s_ >
+             1.5 * options_.scenario.duration_s / options_.spec.speed + kFlightPatience_s;
 }
 
 void Demo::show() {
@@ -142,6 +146,7 @@ FlightSummary Demo::summary() const {
   summary.scenario = options_.scenario.name;
   summary.vehicle = options_.spec.vehicle;
   summary.domain = options_.spec.domain;
+  summary.wall_s = wall_s_;
   summary.folder = options_.folder.string();
   for (const auto& process : launcher_.processes()) {
     const auto& name = process.spec.name;

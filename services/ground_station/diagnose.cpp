@@ -44,6 +44,9 @@ std::string list_of(const std::vector<std::pair<std::string, std::uint64_t>>& re
 }
 
 std::string how_to_start(std::string_view service) {
+  if (service == "simulator")
+    return "`foretrack up` starts it; on a vehicle, the flight controller's DDS agent and the "
+           "cameras write this.";
   return fmt::format("`foretrack up` starts every service, `foretrack {}` this one alone.",
                      service);
 }
@@ -51,7 +54,7 @@ std::string how_to_start(std::string_view service) {
 // The writer is matched and silent: what does its service say?
 Finding silent_writer(const Picture& p, const Link& link, const std::string& what) {
   const auto* service = p.service(link.service);
-  if (!service) return fault(link.stage, what, "The service gives no sign of health either.");
+  if (!service) return fault(link.stage, what, how_to_start(link.service));
   const auto& health = service->health;
   std::string missing;
   for (const auto& t : health.topics())
@@ -77,17 +80,19 @@ Finding silent(const Picture& p, const Link& link, const TopicFlow& flow) {
     if (sentence.find(flow.wire) != std::string::npos)
       return fault(link.stage, "Foreign endpoint: " + sentence,
                    "Both sides must use the type from idl/, without a key.");
-  if (flow.writers == 0)
-    return fault(
-        link.stage,
-        fmt::format("Nobody writes {}: the service {} is missing.", flow.wire, link.service),
-        how_to_start(link.service));
   if (!flow.rejected.empty())
     return fault(
         link.stage,
         fmt::format("All samples of {} were rejected: {}.", flow.wire, list_of(flow.rejected)),
         "The writer sends what the contract (idl/README.md) does not allow.");
-  return silent_writer(p, link, fmt::format("{} has a writer, but no sample came.", flow.wire));
+  if (!p.service(link.service))
+    return fault(link.stage,
+                 fmt::format("{} {}: the service {} is missing.",
+                             flow.writers == 0 ? "Nobody writes" : "Nothing comes on", flow.wire,
+                             link.service),
+                 how_to_start(link.service));
+  return silent_writer(p, link,
+                       fmt::format("{} runs, but no sample of {} came.", link.service, flow.wire));
 }
 
 Finding check(const Picture& p, const Link& link) {
@@ -221,8 +226,10 @@ std::vector<Finding> diagnose(const Picture& p) {
     return {fault(
         "set-up",
         fmt::format("No process of vehicle '{}' is heard on DDS domain {}.", p.vehicle, p.domain),
-        "Is `foretrack up` running, with the same --domain and --vehicle, on this "
-        "network?")};
+        p.other_vehicles.empty()
+            ? "Is `foretrack up` running, with the same --domain, on this network?"
+            : fmt::format("Others are there: {}. Name one with --vehicle.",
+                          fmt::join(p.other_vehicles, ", ")))};
   std::vector<Finding> findings;
   for (const auto& service : p.services) check_service(service, findings);
   const auto* map = p.flow("map/local");

@@ -35,7 +35,8 @@ std::string tracking(const Metrics& m) {
                   ? fmt::format("smallest clearance {:.2f} m", m.min_clearance_m)
                   : "nothing to collide with");
   text += row("intention", fmt::format("{} of {}", m.foreseen, m.turns),
-              fmt::format("turns foreseen, {:.2f} s ahead on average", m.lead_time_mean_s));
+              fmt::format("turns foreseen, {:.2f} s {} on average", std::abs(m.lead_time_mean_s),
+                          m.lead_time_mean_s < 0.0 ? "late" : "ahead"));
   return text;
 }
 
@@ -89,6 +90,8 @@ FlightSummary summarize(const Recorder& recorder, const MetricParams& params) {
 std::string to_text(const FlightSummary& s) {
   std::string text = fmt::format("\nFlight of {}: {:.1f} s, {:.1f} m flown, {} plans\n\n",
                                  s.scenario, s.metrics.duration_s, s.path_length_m, s.plans);
+  if (s.wall_s > 1.2 * s.metrics.duration_s)
+    text += fmt::format("  It took {:.1f} s here: slower than real time.\n\n", s.wall_s);
   return text + tracking(s.metrics) + times(s) + services(s);
 }
 
@@ -98,6 +101,7 @@ std::string to_json_text(const FlightSummary& s) {
                {"domain", s.domain},
                {"happened", s.happened()},
                {"good", s.good()},
+               {"wall_s", s.wall_s},
                {"path_length_m", s.path_length_m},
                {"plans", s.plans},
                {"metrics", Json::parse(foretrack::json_of(s.metrics))},

@@ -21,6 +21,7 @@ struct FlightSummary {
   std::string vehicle;
   int domain = 0;
   Metrics metrics;
+  double wall_s = 0.0;  // that the flight took here
   double path_length_m = 0.0;
   int plans = 0;
   Quantiles latency_ms;                       // image's stamp → setpoint

@@ -16,6 +16,7 @@ struct FlightSpec {
   int pedestrian = -1;
   double duration_s = 0.0;            // of simulated time; 0: for ever
   std::optional<std::uint64_t> seed;  // of the scenario; none: the scenario's own
+  double speed = 1.0;                 // simulated seconds in a second
   std::string map = "depth";          // or "known": the true one, and no mapping
   std::string vehicle = "uav1";
   int domain = 0;
