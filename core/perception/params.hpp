@@ -32,7 +32,7 @@ struct PerceptionParams {
   double gate_mahalanobis = 4.0;
   int reinitialise_after = 5;
   double reinitialise_radius_m = 1.0;
-  double yaw_density_rad2_s = 0.064;
+  double yaw_density_rad2_s = 0.1;
   double yaw_gate_rad = 1.6;
   // Age of the last accepted measurement.
   double tracking_age_s = 0.25;

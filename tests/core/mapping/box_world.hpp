@@ -30,7 +30,7 @@ inline double distance_along(const World& world, const Vec3& from, const Vec3& d
 }
 
 inline CameraModel small_camera() {
-  return CameraModel::from_fov(320, 240, rad(90.0), rad(75.0));
+  return CameraModel::from_fov(160, 120, rad(90.0), rad(75.0));
 }
 
 inline DepthImage render(const World& world, const VehicleState& vehicle,

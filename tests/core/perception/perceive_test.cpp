@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/core/perception/synthetic_person.hpp"
+#include "tests/support/count_allocations.hpp"
 
 namespace foretrack {
 namespace {
@@ -257,6 +258,23 @@ TEST(Perceive, SameInputGivesTheSameEstimate) {
   EXPECT_EQ(results[0].position_enu_m, results[1].position_enu_m);
   EXPECT_EQ(results[0].covariance, results[1].covariance);
   EXPECT_EQ(results[0].body_yaw_rad, results[1].body_yaw_rad);
+}
+
+TEST(Perceive, AllocatesNothing) {
+  PersonState person;
+  person.hips_enu_m = {2.0, 0.0, 0.95};
+  VehicleHistory history;
+  Random random(6);
+  PerceptionState state;
+  for (int k = 0; k < 40; ++k) {
+    const auto vehicle = vehicle_at(kFrame_s * k, {0, 0, 1.4}, person.hips_enu_m);
+    history.add(vehicle);
+    const auto o = observe(person, vehicle, {}, random);
+    const long before = allocation_count();
+    perceive(state, o, history, kParams);
+    coast(state, o.stamp_s + 0.1, kParams);
+    EXPECT_EQ(allocation_count(), before);
+  }
 }
 
 TEST(PerceptionParams, DefaultsAreValidAndNamesAreUnique) {

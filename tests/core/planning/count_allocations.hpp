@@ -1,8 +1,3 @@
-// Counts every operator new of the test program.
 #pragma once
 
-namespace foretrack {
-
-long allocation_count();
-
-}  // namespace foretrack
+#include "tests/support/count_allocations.hpp"

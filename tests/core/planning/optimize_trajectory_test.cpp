@@ -7,7 +7,7 @@
 #include "core/planning/check_trajectory.hpp"
 #include "core/planning/polynomial.hpp"
 #include "core/planning/stop_tail.hpp"
-#include "tests/core/planning/count_allocations.hpp"
+#include "tests/support/count_allocations.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace foretrack {

@@ -1,4 +1,4 @@
-#include "tests/core/planning/count_allocations.hpp"
+#include "tests/support/count_allocations.hpp"
 
 #include <atomic>
 #include <cstdlib>
