@@ -7,7 +7,6 @@ namespace {
 
 constexpr double kStride_m = 1.4;           // two steps
 constexpr double kHeadingSpeed_m_s = 0.15;  // slower than this, the path has no heading
-constexpr double kSwingSpeed_m_s = 1.0;     // full swing of the limbs from this speed on
 
 bool wants_to_stand(const PersonParams& params, double now_s) {
   return std::any_of(params.stops.begin(), params.stops.end(), [&](const StandStill& stop) {
@@ -65,83 +64,6 @@ void advance(Person& person, double dt_s) {
       person.pace * person.pace * here.acceleration_m_s2 + pace_rate * here.velocity_m_s;
   s.stride_rad =
       wrap_angle(s.stride_rad + 2.0 * kPi * s.velocity_enu_m_s.norm() * dt_s / kStride_m);
-}
-
-namespace {
-
-// Standing joints of a person 1 m tall in the body frame, feet at z = 0 (x forward, y left). After
-// common anthropometric proportions (Drillis and Contini 1966). Only the left side and the middle.
-struct JointRow {
-  int left, right;  // equal: in the middle
-  double x, y, z;
-};
-constexpr JointRow kJoints[] = {
-    {0, 0, 0.06, 0.0, 0.925},      {1, 4, 0.05, 0.010, 0.942},    {2, 5, 0.05, 0.019, 0.942},
-    {3, 6, 0.045, 0.028, 0.942},   {7, 8, 0.0, 0.043, 0.932},     {9, 10, 0.052, 0.014, 0.902},
-    {11, 12, 0.0, 0.105, 0.818},   {13, 14, 0.0, 0.125, 0.635},   {15, 16, 0.02, 0.130, 0.490},
-    {17, 18, 0.025, 0.133, 0.445}, {19, 20, 0.030, 0.128, 0.435}, {21, 22, 0.035, 0.120, 0.460},
-    {23, 24, 0.0, 0.055, 0.530},   {25, 26, 0.005, 0.055, 0.285}, {27, 28, 0.0, 0.055, 0.045},
-    {29, 30, -0.025, 0.055, 0.02}, {31, 32, 0.095, 0.062, 0.015}};
-constexpr double kTorso = 0.5 * (0.818 + 0.530);
-
-struct Limb {
-  int left_first, right_first;  // the joint it turns about
-  std::array<int, 5> left, right;
-  double swing_rad;
-};
-constexpr Limb kLimbs[] = {{23, 24, {25, 27, 29, 31, 31}, {26, 28, 30, 32, 32}, 0.40},
-                           {11, 12, {13, 15, 17, 19, 21}, {14, 16, 18, 20, 22}, -0.30}};
-
-Vec3 about_y(const Vec3& pivot, const Vec3& p, double angle_rad) {
-  const Vec3 d = p - pivot;
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return pivot + Vec3(c * d.x() - s * d.z(), d.y(), s * d.x() + c * d.z());
-}
-
-void swing(std::array<Vec3, kLandmarkCount>& joints, const PersonState& state) {
-  const double speed = state.velocity_enu_m_s.head<2>().norm();
-  const double gait = std::min(1.0, speed / kSwingSpeed_m_s) * std::sin(state.stride_rad);
-  for (const Limb& limb : kLimbs) {
-    int last = -1;
-    for (std::size_t i = 0; i < limb.left.size(); ++i) {
-      if (limb.left[i] == last) continue;
-      last = limb.left[i];
-      Vec3 &l = joints[limb.left[i]], &r = joints[limb.right[i]];
-      l = about_y(joints[limb.left_first], l, gait * limb.swing_rad);
-      r = about_y(joints[limb.right_first], r, -gait * limb.swing_rad);
-    }
-  }
-}
-
-}  // namespace
-
-double torso_height_m(double height_m) {
-  return kTorso * height_m;
-}
-
-std::array<Vec3, kLandmarkCount> joints_enu_m(const PersonState& state, double height_m) {
-  std::array<Vec3, kLandmarkCount> joints;
-  for (const JointRow& row : kJoints) {
-    joints[row.left] = {row.x, row.y, row.z - kTorso};
-    joints[row.right] = {row.x, row.left == row.right ? row.y : -row.y, row.z - kTorso};
-  }
-  swing(joints, state);
-  const Vec2 forward = direction_of(state.body_yaw_rad);
-  Mat3 r_world_body = Mat3::Identity();
-  r_world_body.col(0).head<2>() = forward;
-  r_world_body.col(1).head<2>() = Vec2(-forward.y(), forward.x());
-  for (Vec3& joint : joints) joint = state.position_enu_m + height_m * (r_world_body * joint);
-  return joints;
-}
-
-std::array<Vec3, 5> body_points_enu_m(const PersonState& state, double height_m) {
-  const Vec3 up = height_m * Vec3::UnitZ();
-  const Vec2 forward = direction_of(state.body_yaw_rad);
-  const Vec3 left = 0.105 * height_m * Vec3(-forward.y(), forward.x(), 0.0);
-  const Vec3& torso = state.position_enu_m;
-  const Vec3 shoulders = torso + (0.818 - kTorso) * up;
-  return {torso + (0.925 - kTorso) * up, shoulders + left, shoulders - left,
-          torso + (0.530 - kTorso) * up, torso + (0.285 - kTorso) * up};
 }
 
 }  // namespace foretrack

@@ -58,6 +58,16 @@ TEST(LoadParams, ThePrintedFileLoadsAsItWasPrinted) {
   EXPECT_EQ(yaml_of_params(again), yaml_of_params(params));
 }
 
+TEST(LoadParams, EveryShippedFileLoads) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("deploy/params")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++files;
+    EXPECT_NO_THROW(load_params(entry.path().string())) << entry.path();
+  }
+  EXPECT_GE(files, 3);
+}
+
 TEST(DescribeParams, HasARowForEveryParameterOfTheStage) {
   TrackerParams params;
   for (const auto& [stage, stage_rows] : stages_of(params)) {
