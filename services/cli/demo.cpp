@@ -9,6 +9,7 @@
 
 #include "services/cli/commands.hpp"
 #include "services/common/options.hpp"
+#include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
 #include "services/ground_station/view.hpp"
 #include "services/launch/domain.hpp"
@@ -26,6 +27,8 @@ struct DemoArguments {
 int run(DemoArguments arguments) {
   auto& [options, out, domain, overrides] = arguments;
   auto& spec = options.spec;
+  if (!spec.params_file.empty()) load_params(spec.params_file);  // throws what is wrong in it
+  overrides.map = spec.map == "known" ? MapSource::kKnown : MapSource::kDepth;
   options.scenario = load_scenario(spec.scenario, overrides);
   spec.duration_s = options.scenario.duration_s;
   spec.seed = overrides.seed;

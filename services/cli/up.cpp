@@ -7,6 +7,8 @@
 
 #include "services/cli/commands.hpp"
 #include "services/common/stop.hpp"
+#include "services/config/load_params.hpp"
+#include "services/config/load_scenario.hpp"
 #include "services/launch/flight_processes.hpp"
 
 namespace foretrack {
@@ -18,13 +20,9 @@ struct UpArguments {
   double for_s = std::numeric_limits<double>::infinity();
 };
 
-bool all_given_up(const Launcher& launcher) {
-  for (const auto& process : launcher.processes())
-    if (!process.given_up) return false;
-  return true;
-}
-
 int run_up(const UpArguments& arguments) {
+  if (!arguments.spec.params_file.empty()) load_params(arguments.spec.params_file);
+  load_scenario(arguments.spec.scenario);  // both throw what a user must correct
   Stop stop;
   SignalStop signals(stop);
   Launcher launcher(std::filesystem::path(arguments.out) / "logs");
@@ -36,12 +34,12 @@ int run_up(const UpArguments& arguments) {
   const auto elapsed_s = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  while (!stop.requested() && elapsed_s() < arguments.for_s && !all_given_up(launcher)) {
+  while (!stop.requested() && elapsed_s() < arguments.for_s && !launcher.any_given_up()) {
     for (const auto& line : launcher.poll()) std::printf("%s\n", line.c_str());
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  const bool failed = all_given_up(launcher);
+  const bool failed = launcher.any_given_up();
   launcher.stop();
   return failed ? 1 : 0;
 }

@@ -115,9 +115,8 @@ void Demo::supervise() {
 }
 
 bool Demo::is_over() const {
-  if (simulator_started_s_ < 0.0) return false;
-  const auto& simulator = launcher_.processes().back();
-  return simulator.given_up ||
+  if (simulator_started_s_ < 0.0) return launcher_.any_given_up();
+  return launcher_.any_given_up() ||
          elapsed_s() - simulator_started_s_ >
              1.5 * options_.scenario.duration_s / options_.spec.speed + kFlightPatience_s;
 }
@@ -181,6 +180,8 @@ void Demo::write(const FlightSummary& summary) const {
 
 int Demo::report() {
   const FlightSummary of = summary();
+  fmt::print("writing {} …\n", options_.folder.string());
+  std::fflush(stdout);
   write(of);
   fmt::print("{}\n", to_text(of));
   if (!of.happened())

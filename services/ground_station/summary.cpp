@@ -48,7 +48,7 @@ std::string times(const FlightSummary& s) {
         fmt::format("  {:<20}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}\n", name, q.p50, q.p95, q.p99, q.max);
   };
   for (const auto& [name, quantiles] : s.stage_ms) line(name, quantiles);
-  line("image to setpoint", s.latency_ms);
+  line("image to setpoint", s.latency_ms);  // the camera's own delay is in it
   return text;
 }
 

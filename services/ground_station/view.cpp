@@ -139,11 +139,11 @@ std::string services(const Picture& p) {
                                  "memory", "work/loop");
   for (const auto& s : p.services) {
     const auto& h = s.health;
-    text +=
-        fmt::format("{:<22}{:>9}{:>8.0f} %{:>8.0f} MB{:>8.1f} ms{}\n", h.service().c_str(),
-                    s.age_s > 3.0 ? "silent" : service_word(h.state()), h.cpu_percent(),
-                    static_cast<double>(h.rss_bytes()) / 1e6, h.loop_mean_ms(),
-                    h.last_error().size() == 0 ? "" : std::string("  ") + h.last_error().c_str());
+    const bool degraded = h.state() == foretrack_msgs::msg::ServiceHealth_Constants::STATE_DEGRADED;
+    text += fmt::format("{:<22}{:>9}{:>8.0f} %{:>8.0f} MB{:>8.1f} ms{}\n", h.service().c_str(),
+                        s.age_s > 3.0 ? "silent" : service_word(h.state()), h.cpu_percent(),
+                        static_cast<double>(h.rss_bytes()) / 1e6, h.loop_mean_ms(),
+                        degraded ? std::string("  ") + h.last_error().c_str() : "");
   }
   return text;
 }

@@ -35,6 +35,7 @@ std::vector<ProcessSpec> onboard_processes(const FlightSpec& spec) {
 
 ProcessSpec simulator_process(const FlightSpec& spec) {
   ProcessSpec result = process("simulator", spec);
+  result.restart = false;  // its time would begin anew
   auto& words = result.arguments;
   const auto add = [&](const char* option, const std::string& value) {
     words.insert(words.end(), {option, value});

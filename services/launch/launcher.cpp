@@ -95,6 +95,11 @@ int Launcher::restarts() const {
   return sum;
 }
 
+bool Launcher::any_given_up() const {
+  return std::any_of(processes_.begin(), processes_.end(),
+                     [](const Process& process) { return process.given_up; });
+}
+
 void Launcher::start(Process& process) {
   const auto path = log_of(process.spec.name);
   const int log = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
@@ -130,6 +135,10 @@ std::string Launcher::reap(Process& process, int wait_status) {
   if (exited && is_misuse(WEXITSTATUS(wait_status))) {
     process.given_up = true;
     return what + " and is not started again:\n" + log_tail(process.spec.name);
+  }
+  if (!process.spec.restart) {
+    process.given_up = true;
+    return what + ":\n" + log_tail(process.spec.name);
   }
   const auto wait = back_off(process.crashes_in_a_row);
   process.due = now + wait;

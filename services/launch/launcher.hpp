@@ -14,6 +14,7 @@ namespace foretrack {
 struct ProcessSpec {
   std::string name;                    // also that of its log file
   std::vector<std::string> arguments;  // behind the program's name: subcommand and options
+  bool restart = true;                 // after a crash
 };
 
 /// A process under the launcher's care.
@@ -49,6 +50,8 @@ class Launcher {
 
   const std::vector<Process>& processes() const { return processes_; }
   int restarts() const;
+  /// A process ended for good: done, refused its arguments, or is not to be started again.
+  bool any_given_up() const;
   std::filesystem::path log_of(const std::string& name) const;
   /// The log's last lines, to show with a crash.
   std::string log_tail(const std::string& name, int lines = 5) const;

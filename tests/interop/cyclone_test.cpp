@@ -32,5 +32,51 @@ TEST(Cyclone, TellsPerceptionWhereThePersonIs) {
   EXPECT_NEAR(heard["position_m"][2], 1.2, 0.3);
 }
 
+// What the doctor says first, of a bus on which the vehicle's sensors and camera are well.
+std::string doctor_beside(const std::string& peer_mode) {
+  const FreeDomain domain;
+  const std::string id = std::to_string(domain.id());
+  Folder folder;
+  Program simulator({"simulator", "--domain", id, "--map", "depth", "--endless", "--speed", "0.2"},
+                    folder.path / "simulator");
+  Program peer({id, "uav1", "60", peer_mode}, folder.path / "peer", INTEROP_PEER);
+  Program doctor({"doctor", "--domain", id, "--json", "--for", "4"}, folder.path / "doctor");
+  doctor.wait(30.0);
+  const auto said = Json::parse(doctor.output());
+  return said["first_cause"].is_string() ? said["first_cause"].get<std::string>() : "";
+}
+
+TEST(Cyclone, DoctorNamesAQualityOfServiceThatDoesNotFit) {
+  const std::string cause = doctor_beside("unreliable");
+  EXPECT_NE(cause.find("rt/uav1/target/state is there, but its quality"), std::string::npos)
+      << cause;
+}
+
+TEST(Cyclone, DoctorNamesAForeignType) {
+  const std::string cause = doctor_beside("foreign");
+  EXPECT_NE(cause.find("a writer on rt/uav1/target/state will never match"), std::string::npos)
+      << cause;
+  EXPECT_NE(cause.find("TargetIntention_"), std::string::npos) << cause;
+}
+
+TEST(Cyclone, DoctorTellsWhatPerceptionRejects) {
+  const FreeDomain domain;
+  const std::string id = std::to_string(domain.id());
+  Folder folder;
+  Program perception({"perception", "--domain", id}, folder.path / "perception");
+  Program peer({id, "uav1", "60", "observe", "nan", "0", "0"}, folder.path / "peer", INTEROP_PEER);
+  std::string said;
+  EXPECT_TRUE(eventually(
+      [&] {
+        Program doctor({"doctor", "--domain", id}, folder.path / "doctor");
+        doctor.wait(30.0);
+        said = doctor.output();
+        return said.find("perception rejected samples of rt/uav1/target/observation") !=
+               std::string::npos;
+      },
+      20.0))
+      << said;
+}
+
 }  // namespace
 }  // namespace foretrack

@@ -2,6 +2,9 @@
 // person is. Prints one line of JSON and ends when it has heard enough, or time is up.
 //   interop_peer DOMAIN VEHICLE SECONDS listen          until all four topics were heard 10 times
 //   interop_peer DOMAIN VEHICLE SECONDS observe X Y Z   until target/state says "tracking" near there
+// Or stands in the way:
+//   interop_peer DOMAIN VEHICLE SECONDS unreliable      a writer of target/state, best effort
+//   interop_peer DOMAIN VEHICLE SECONDS foreign         a writer of target/state, of another type
 #include <dds/dds.h>
 #include <math.h>
 #include <stdbool.h>
@@ -145,9 +148,20 @@ static void observe(dds_entity_t writer, const double position_m[3]) {
   dds_write(writer, &o);
 }
 
+static int stand_in_the_way(dds_entity_t participant, char **argv) {
+  const dds_topic_descriptor_t *type = strcmp(argv[4], "foreign") == 0
+                                           ? &foretrack_msgs_msg_dds__TargetIntention__desc
+                                           : &foretrack_msgs_msg_dds__TargetState__desc;
+  writer_of(participant, topic_of(participant, type, argv[2], "target/state"));
+  dds_sleepfor(DDS_SECS(atoi(argv[3])));
+  dds_delete(participant);
+  return 0;
+}
+
 int main(int argc, char **argv) {
   if (argc != 5 && argc != 8) {
-    fprintf(stderr, "interop_peer DOMAIN VEHICLE SECONDS listen | observe X Y Z\n");
+    fprintf(stderr, "interop_peer DOMAIN VEHICLE SECONDS listen | observe X Y Z | unreliable | "
+                    "foreign\n");
     return 2;
   }
   const char *vehicle = argv[2];
@@ -156,6 +170,7 @@ int main(int argc, char **argv) {
                               observes ? atof(argv[7]) : 0};
   dds_entity_t p = dds_create_participant((dds_domainid_t)atoi(argv[1]), NULL, NULL);
   if (p < 0) return 2;
+  if (!observes && strcmp(argv[4], "listen") != 0) return stand_in_the_way(p, argv);
   dds_entity_t states =
       reader_of(p, topic_of(p, &foretrack_msgs_msg_dds__TargetState__desc, vehicle, "target/state"));
   dds_entity_t intentions = reader_of(
