@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSlowdown = 1.4;       // of the first guess's times in the second attempt
-constexpr double kFirmCorridor = 10.0;  // of the corridor's weight in the second attempt
+constexpr double kSlowdown = 1.4;  // of the first guess's times in the second attempt
+constexpr double kFirm = 10.0;     // of the hard limits' weights in the second attempt
 constexpr double kStands_m_s = 0.02;
 
 bool is_finite(const PlanInput& in) {
@@ -66,7 +66,9 @@ class Replan {
     if (reason == PlanReason::kOk) return reason;
     be_careful();
     OptimizerParams careful = params_.optimizer;
-    careful.corridor_weight *= kFirmCorridor;
+    careful.corridor_weight *= kFirm;
+    careful.speed_weight *= kFirm;
+    careful.acceleration_weight *= kFirm;
     return attempt(careful) == PlanReason::kOk ? PlanReason::kOk : reason;
   }
 
@@ -213,10 +215,16 @@ class Replan {
     return result;
   }
 
+  // Half a cell less than a new trajectory needs: where the map has not changed, what passed the
+  // check must not be braked for because it is looked at from other points.
+  double kept_clearance_m() const {
+    return params_.check.vehicle_radius_m - 0.5 * in_.map->resolution_m;
+  }
+
   const PlanResult& fall_back(PlanReason reason) {
     PlannedTrajectory& t = flown().trajectory;
     if (start_.on_flown &&
-        rest_is_clear(*in_.map, t, start_.time_s - t.start_s, params_.check.vehicle_radius_m)) {
+        rest_is_clear(*in_.map, t, start_.time_s - t.start_s, kept_clearance_m())) {
       const bool stands = t.velocity(start_.time_s - t.start_s).norm() < kStands_m_s &&
                           start_.time_s - t.start_s > t.tail_start_s;
       t.status = stands ? PlanStatus::kHold : PlanStatus::kKept;

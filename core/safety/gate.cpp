@@ -87,13 +87,14 @@ bool has_waited_too_long(GateState& s, const GateInput& in, const SafetyParams& 
   return s.phase == MissionPhase::kTracking && in.now_s - alive_s > p.hover_limit_s;
 }
 
-Setpoint sample(const PlannedTrajectory& plan, double now_s) {
+// The vehicle tilts late: it is told the acceleration that it shall have when it will have tilted.
+Setpoint sample(const PlannedTrajectory& plan, double now_s, double response_s) {
   const double t = now_s - plan.start_s;
   const AngleNode yaw = plan.yaw.at(t);
   return {.stamp_s = now_s,
           .position_enu_m = plan.position(t),
           .velocity_enu_m_s = plan.velocity(t),
-          .acceleration_enu_m_s2 = plan.acceleration(t),
+          .acceleration_enu_m_s2 = plan.acceleration(t + response_s),
           .jerk_enu_m_s3 = plan.jerk(t),
           .yaw_rad = wrap_angle(yaw.angle_rad),
           .yaw_rate_rad_s = yaw.rate_rad_s};
@@ -156,6 +157,8 @@ ParamRows rows(SafetyParams& p) {
       {"command_max_age_s", &p.command_max_age_s, "s", 0.1, 10.0, "older commands are refused"},
       {"request_period_s", &p.request_period_s, "s", 0.1, 5.0,
        "between requests to arm or to enter offboard mode"},
+      {"response_s", &p.response_s, "s", 0.0, 1.0,
+       "time in which the vehicle's tilt follows; accelerations are commanded so much ahead"},
       {"start_on_launch", &p.start_on_launch, "", 0, 1, "track at once, without a start command"},
   };
 }
@@ -180,7 +183,7 @@ GateResult gate(GateState& state, const GateInput& in, const SafetyParams& param
   r.request = choose_request(state, in, r, params);
   if (r.heartbeat && in.autopilot.offboard) {
     const bool flies = mode == SafetyMode::kTrack || mode == SafetyMode::kCoast;
-    r.setpoint = flies ? sample(state.flown, in.now_s)
+    r.setpoint = flies ? sample(state.flown, in.now_s, params.response_s)
                        : stand_still(state, in.now_s, mode == SafetyMode::kBrake);
   } else if (r.heartbeat) {
     reason = SafetyReason::kNotOffboard;
