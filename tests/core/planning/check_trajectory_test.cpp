@@ -206,8 +206,9 @@ TEST(CheckTrajectory, AgreesWithDenseSamplingOnRandomTrajectories) {
     const GridMap map = make_map({column(), column(), column(), column(), column(), column()});
     const Vec3 velocity(random.uniform(0.0, 2.5), random.uniform(-1.0, 1.0), 0.0);
     const PlannedTrajectory trajectory = straight(kStart, velocity, random.uniform(0.5, 2.0));
-    if (map.unfree_distance_m(kStart) < 0.3) continue;
-    const bool clear = clear_by_sampling(trajectory, map, 0.3);
+    const double radius_m = CheckParams{}.vehicle_radius_m;
+    if (map.unfree_distance_m(kStart) < radius_m) continue;
+    const bool clear = clear_by_sampling(trajectory, map, radius_m);
     const bool ok = check(trajectory, map).ok();
     EXPECT_LE(clear, ok);  // nothing that is clear is rejected
     missed += ok && !clear;
