@@ -114,10 +114,11 @@ struct Position {
   std::optional<double> x_m;
   struct Fault {
     std::string_view field;
+    std::string text;
   };
   explicit operator bool() const { return x_m.has_value(); }
   double& operator*() { return *x_m; }
-  Fault fault() const { return {"position_m"}; }
+  Fault fault() const { return {"position_m", "position_m: not finite"}; }
 };
 
 TEST(Reader, ConvertsAndCountsWhatDoesNotConvert) {
