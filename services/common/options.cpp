@@ -44,6 +44,8 @@ void add_options(CLI::App& app, ServiceOptions& options) {
       ->capture_default_str();
   app.add_flag("--ros-iron", options.ros_iron_or_later,
                "Appear in the node list of ROS 2 Iron and later, not of Humble");
+  app.add_flag("--px4-odometry", options.px4_odometry,
+               "safety_gate republishes PX4's estimate as the odometry of all, and as tf");
   app.add_option("--log-level", options.log_level, "debug, info, warning, error or off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();

@@ -18,11 +18,13 @@ struct ServiceOptions {
   std::string params_file;    // empty: defaults
   bool print_params = false;  // print the parameters as a file and leave
   bool ros_iron_or_later = false;
+  bool px4_odometry = false;  // PX4's own estimate is the vehicle's odometry
   std::string log_level = "info";
 };
 
 /// --vehicle --domain --params --print-params --use-sim-time --clock-topic --px4-namespace
-/// --px4-status-version --ros-iron --log-level. The domain's default is $ROS_DOMAIN_ID.
+/// --px4-status-version --ros-iron --px4-odometry
+/// --log-level. The domain's default is $ROS_DOMAIN_ID.
 void add_options(CLI::App& app, ServiceOptions& options);
 
 /// Log lines to standard error, those of DDS among them. Call it once, after parsing.

@@ -14,6 +14,18 @@ static_assert(cells::CELL_FREE == int(Cell::kFree));
 static_assert(cells::CELL_OCCUPIED == int(Cell::kOccupied));
 static_assert(cells::CELL_UNKNOWN == int(Cell::kUnknown));
 
+void set_point_fields(sensor_msgs::msg::PointCloud2& out) {
+  out.fields().resize(3);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    out.fields()[i].name(std::string(1, "xyz"[i]));
+    out.fields()[i].offset(i * sizeof(float));
+    out.fields()[i].datatype(sensor_msgs::msg::PointField_Constants::FLOAT32);
+    out.fields()[i].count(1);
+  }
+  out.point_step(3 * sizeof(float));
+  out.is_dense(true);
+}
+
 }  // namespace
 
 void to_idl(const GridMap& in, foretrack_msgs::msg::LocalMap& out) {
@@ -56,6 +68,24 @@ Converted<GridMap> from_idl(foretrack_msgs::msg::LocalMap in) {
   out.occupied_distance_cm = std::move(in.occupied_distance_cm());
   out.unfree_distance_cm = std::move(in.unfree_distance_cm());
   return checks.result(std::move(out));
+}
+
+void to_points(const GridMap& map, sensor_msgs::msg::PointCloud2& out) {
+  set_header(out.header(), map.stamp_s);
+  set_point_fields(out);
+  out.data().clear();
+  for (int z = 0; z < map.size.z(); ++z)
+    for (int y = 0; y < map.size.y(); ++y)
+      for (int x = 0; x < map.size.x(); ++x) {
+        const Eigen::Vector3i cell(x, y, z);
+        if (map.cells[map.offset_of(cell)] != cells::CELL_OCCUPIED) continue;
+        const auto point = to_floats(map.center_of(cell));
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(point.data());
+        out.data().insert(out.data().end(), bytes, bytes + sizeof point);
+      }
+  out.height(1);
+  out.row_step(static_cast<std::uint32_t>(out.data().size()));
+  out.width(out.row_step() / out.point_step());
 }
 
 void to_idl(const octomap::OcTree& tree, double stamp_s, octomap_msgs::msg::Octomap& out) {

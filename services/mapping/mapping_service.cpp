@@ -15,7 +15,7 @@ constexpr auto convert = [](auto&& message) {
 
 const Fault kNoPose{"odometry", "no odometry of the image's stamp"};
 constexpr double kMapPeriod_s = 0.1;
-constexpr double kOctreePeriod_s = 1.0;
+constexpr double kOthersPeriod_s = 1.0;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kPoseWait_s = 0.05;
 constexpr double kImageStale_s = 1.0;
@@ -33,7 +33,8 @@ MappingService::MappingService(Service& service, const MappingParams& params)
       target_reader_(service.node()),
       mount_(service.node()),
       map_(service.node()),
-      octree_(service.node()) {
+      octree_(service.node()),
+      points_(service.node()) {
   Loop& loop = service.loop();
   loop.on_newest(mount_, [this](const auto& message) { take_mount(message); });
   loop.on_newest(
@@ -41,7 +42,7 @@ MappingService::MappingService(Service& service, const MappingParams& params)
       [this](const CameraModel& camera) { camera_ = camera; });
   loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
   loop.on_newest(image_, [this](const auto& message) { take(message); });
-  loop.every(kOctreePeriod_s, [this] { publish_octree(); });
+  loop.every(kOthersPeriod_s, [this] { publish_for_others(); });
   loop.every(kWatchPeriod_s, [this] { watch(); });
 }
 
@@ -84,10 +85,16 @@ void MappingService::publish() {
   map_.write();
 }
 
-void MappingService::publish_octree() {
-  if (octree_.readers() == 0 || state_.map.empty()) return;
-  to_idl(*state_.tree, state_.map.stamp_s, octree_.sample());
-  octree_.write();
+void MappingService::publish_for_others() {
+  if (state_.map.empty()) return;
+  if (octree_.readers() > 0) {
+    to_idl(*state_.tree, state_.map.stamp_s, octree_.sample());
+    octree_.write();
+  }
+  if (points_.readers() > 0) {
+    to_points(state_.map, points_.sample());
+    points_.write();
+  }
 }
 
 void MappingService::watch() {

@@ -9,13 +9,15 @@
 #include "octomap_msgs/msg/Octomap.h"
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
+#include "sensor_msgs/msg/PointCloud2.h"
 #include "services/onboard/inputs.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
 
-/// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and the octree once
-/// a second to who asks for it. The camera's mount is that of tf_static, or looks along body x.
+/// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and the octree and
+/// the occupied cells once a second to who asks for them. The camera's mount is that of tf_static,
+/// or looks along body x.
 class MappingService {
  public:
   MappingService(Service& service, const MappingParams& params);
@@ -25,7 +27,7 @@ class MappingService {
   void take_mount(const tf2_msgs::msg::TFMessage& message);
   void update();
   void publish();
-  void publish_octree();
+  void publish_for_others();
   void watch();
 
   Service& service_;
@@ -38,6 +40,7 @@ class MappingService {
   Reader<topics::StaticTransforms> mount_;
   Writer<topics::LocalMap> map_;
   Writer<topics::OctoMap> octree_;
+  Writer<topics::MapPoints> points_;
   std::optional<CameraModel> camera_;
   Pose T_body_camera_ = CameraModel::default_mount();
   std::optional<TargetState> target_;

@@ -3,6 +3,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
+#include "services/safety_gate/px4_odometry.hpp"
 
 namespace foretrack {
 namespace {
@@ -99,6 +100,8 @@ void SafetyGateService::publish(const GateResult& result, double now_s) {
 
 void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
   Service service("safety_gate", options, stop);
+  std::optional<Px4Odometry> odometry;
+  if (options.px4_odometry) odometry.emplace(service);
   SafetyGateService stage(service, params);
   service.run();
 }

@@ -1,5 +1,6 @@
 #include "services/convert/map.hpp"
 
+#include <cstring>
 #include <sstream>
 
 #include "convert_test_support.hpp"
@@ -84,6 +85,18 @@ TEST(OctomapMessage, IsReadBackAsTheSameCells) {
   EXPECT_TRUE(read.isNodeOccupied(read.search(1.1, 0.3, 0.5)));
   EXPECT_FALSE(read.isNodeOccupied(read.search(2.1, 0.3, 0.5)));
   EXPECT_EQ(read.search(3.1, 0.3, 0.5), nullptr);
+}
+
+TEST(PointsMessage, HoldsTheCentresOfOccupiedCells) {
+  const GridMap in = map();
+  sensor_msgs::msg::PointCloud2 msg;
+  to_points(in, msg);
+  EXPECT_EQ(msg.width(), 8u);  // every third of 24 cells
+  ASSERT_EQ(msg.data().size(), 8u * msg.point_step());
+  float first[3];
+  std::memcpy(first, msg.data().data(), sizeof first);
+  EXPECT_TRUE(in.is_occupied({first[0], first[1], first[2]}));
+  EXPECT_NEAR(first[0], -0.7, 1e-6);  // cell (1, 0, 0)
 }
 
 }  // namespace

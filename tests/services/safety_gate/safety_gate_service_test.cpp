@@ -181,5 +181,36 @@ TEST_F(SafetyGateOnDds, RefusesGarbageAndHovers) {
   EXPECT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack); }, [&] { feed(); }));
 }
 
+TEST(Px4OdometryOnDds, FliesOnPx4sOwnEstimate) {
+  Neighbours neighbours;
+  Writer<topics::Px4VehicleOdometry> px4(neighbours.node());
+  Reader<topics::Odometry> odometry(neighbours.node());
+  Reader<topics::Transforms> transforms(neighbours.node());
+  const Running service([](ServiceOptions options, Stop& stop) {
+    options.px4_odometry = true;
+    run_safety_gate(options, SafetyParams{}, stop);
+  });
+  VehicleState vehicle;
+  vehicle.position_enu_m = {1.0, 2.0, 3.0};
+  bool transformed = false;
+  std::optional<VehicleState> heard;
+  EXPECT_TRUE(neighbours.until(
+      [&] {
+        const auto state = odometry.take_newest_as(
+            [](const nav_msgs::msg::Odometry& message) { return from_idl(message); });
+        if (state) heard = state;
+        transformed |= transforms.take_newest() != nullptr;
+        return heard && transformed;
+      },
+      [&] {
+        vehicle.stamp_s = neighbours.now_s();
+        to_idl(vehicle, px4.sample());
+        px4.write();
+        px4.sample().position()[1] = std::numeric_limits<float>::quiet_NaN();
+        px4.write();
+      }));
+  EXPECT_TRUE(heard && heard->position_enu_m.isApprox(vehicle.position_enu_m, 1e-6));
+}
+
 }  // namespace
 }  // namespace foretrack::testing
