@@ -15,6 +15,7 @@ using foretrack_msgs::msg::ServiceHealth;
 
 constexpr double kClockLimit_s = 0.3;
 constexpr double kServiceSilent_s = 3.0;
+constexpr double kSlowTime = 0.9;
 constexpr double kMoving_mps = 0.1;
 
 /// One link of the chain: a topic, and whose work it is.
@@ -231,6 +232,10 @@ std::vector<Finding> diagnose(const Picture& p) {
             : fmt::format("Others are there: {}. Name one with --vehicle.",
                           fmt::join(p.other_vehicles, ", ")))};
   std::vector<Finding> findings;
+  if (p.time_rate >= 0.0 && p.time_rate < kSlowTime)
+    findings.push_back(
+        note("set-up", fmt::format("Simulated time runs at {:.2f} of real time.", p.time_rate),
+             "This machine is too busy to fly in real time, unless --speed asked for it."));
   for (const auto& service : p.services) check_service(service, findings);
   const auto* map = p.flow("map/local");
   const bool map_comes = map && map->samples > 0 && (p.map_is_static || map->age_s < 2.0);

@@ -101,6 +101,8 @@ void Listener::update() {
   safety_.take(hooks.safety);
   health_.take_each([this](const auto& health) { hear(health); });
   const double now_s = node_.clock().steady_s();
+  if (simulated_s_ >= 0.0)
+    time_rate_ = 1e-3 * simulated_ms_.update(static_cast<std::uint64_t>(1e3 * simulated_s_), now_s);
   for (auto& slot : slots_) slot.rate_hz = slot.meter.update(slot.stats->samples, now_s);
 }
 
@@ -109,6 +111,7 @@ Picture Listener::picture() {
   p.vehicle = node_.options().names.vehicle;
   p.domain = node_.options().domain_id;
   p.now_s = simulated_s_ >= 0.0 ? simulated_s_ : node_.clock().now_s();
+  p.time_rate = time_rate_;
   p.map_is_static = map_is_static_;
   p.odometry = odometry_.newest();
   p.vehicle_truth = vehicle_truth_.newest();

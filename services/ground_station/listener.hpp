@@ -85,6 +85,8 @@ class Listener {
   std::vector<Slot> slots_;
   std::map<std::string, Heard> services_;
   double simulated_s_ = -1.0;  // negative: no simulated clock is heard
+  RateMeter simulated_ms_;
+  double time_rate_ = -1.0;
   bool map_is_static_ = false;
 };
 

@@ -11,7 +11,7 @@ TEST(Demo, FliesWithoutCollisionAndWritesACompleteSummary) {
   // At half speed, so that a busy machine keeps up.
   Program demo({"demo", "--headless", "--for", "12", "--speed", "0.5", "--out", out.string()},
                folder.path / "out");
-  ASSERT_EQ(demo.wait(90.0), 0) << demo.output();
+  ASSERT_EQ(demo.wait(150.0), 0) << demo.output();
   for (const char* file : {"log.csv", "metrics.json", "summary.json", "flight.png",
                            "logs/simulator.log", "logs/safety_gate.log"})
     EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
