@@ -56,7 +56,7 @@ struct MapUpdate {
 /// image's stamp, and renews the distances. A cell that is hit and passed in one image is hit.
 /// Returns from the target's body (a cylinder around `target`, where it is at the image's stamp)
 /// are no obstacles, but the space before them is seen to be free. `target` may be null.
-/// Cost: about 3 ms for 640 × 480 with the defaults. Only the octree allocates after warm-up.
+/// Cost: about 5 ms for 640 × 480 with the defaults. Only the octree allocates after warm-up.
 MapUpdate update_map(MappingState& state, const DepthImage& image, const VehicleHistory& vehicle,
                      const TargetState* target, const MappingParams& params);
 

@@ -47,7 +47,7 @@ struct PerceptionResult {
 
 /// Landmarks → pose of the body in the camera → torso joints 11, 12, 23, 24 in the world by the
 /// vehicle's pose at the image's stamp → filter. Measurements may come late by reorder_limit_s.
-/// Cost: about 30 µs; a late measurement adds 2 µs for each newer one. Allocates nothing.
+/// Cost: about 40 µs; a late measurement adds 2 µs for each newer one. Allocates nothing.
 PerceptionResult perceive(PerceptionState& state, const TargetObservation& observation,
                           const VehicleHistory& vehicle, const PerceptionParams& params);
 
