@@ -56,6 +56,36 @@ TEST(Demo, CtrlCEndsItWithinThreeSecondsAndLeavesNothing) {
   EXPECT_LE(shared_memory_files(), files_before);
 }
 
+TEST(Demo, CtrlCDuringADemoStopsTheServicesAndKeepsWhatWasFlown) {
+  const FreeDomain domain;
+  const std::string id = std::to_string(domain.id());
+  Folder folder;
+  const auto out = folder.path / "flight";
+  Program demo({"demo", "--headless", "--domain", id, "--out", out.string()}, folder.path / "out");
+  ASSERT_TRUE(
+      eventually([&] { return demo.output().find("gate track") != std::string::npos; }, 30.0))
+      << demo.output();
+  demo.send(SIGINT);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto gone = [&] { return processes_with({"--use-sim-time", "--domain", id}).empty(); };
+  EXPECT_TRUE(eventually(gone, 5.0));
+  EXPECT_LT(Seconds(std::chrono::steady_clock::now() - begin).count(), 3.0);
+  ASSERT_NE(demo.wait(60.0), -1);
+  EXPECT_GT(Json::parse(text_of(out / "summary.json"))["plans"], 0);
+}
+
+TEST(Demo, RefusesAParameterThatDoesNotExist) {
+  Folder folder;
+  const auto file = folder.path / "bad.yaml";
+  std::ofstream(file) << "planning: {no_such_parameter: 1}\n";
+  for (const char* command : {"demo", "up"}) {
+    Program program({command, "--params", file.string(), "--out", folder.path.string()},
+                    folder.path / "out");
+    EXPECT_EQ(program.wait(20.0), 2) << command;
+    EXPECT_NE(program.output().find("no_such_parameter"), std::string::npos) << program.output();
+  }
+}
+
 TEST(Demo, AKilledLauncherTakesTheServicesAlong) {
   const FreeDomain domain;
   const std::string id = std::to_string(domain.id());

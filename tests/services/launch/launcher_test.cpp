@@ -83,6 +83,22 @@ TEST(Launcher, GivesUpOnAProcessThatRefusesItsArguments) {
   EXPECT_EQ(launcher.processes()[0].starts, 1);
 }
 
+TEST(Launcher, LeavesAProcessDeadThatIsNotToBeStartedAgain) {
+  Folder folder;
+  Launcher launcher(folder.path, "/bin/sh");
+  ProcessSpec spec = shell("echo what went wrong; exit 1");
+  spec.restart = false;
+  launcher.add(spec);
+  std::string said;
+  ASSERT_TRUE(eventually([&] {
+    for (const auto& line : launcher.poll()) said += line + "\n";
+    return launcher.any_given_up();
+  }));
+  EXPECT_NE(said.find("what went wrong"), std::string::npos) << said;
+  launcher.poll();
+  EXPECT_EQ(launcher.processes()[0].starts, 1);
+}
+
 TEST(Launcher, StopsProcessesThatIgnoreTheRequest) {
   Folder folder;
   Launcher launcher(folder.path, "/bin/sh");
