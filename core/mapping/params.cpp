@@ -24,6 +24,7 @@ ParamRows rows(MappingParams& p) {
       {"target_below_m", &p.target_below_m, "m", 0.0, 3.0, "its depth below the torso"},
       {"vehicle_bubble_m", &p.vehicle_bubble_m, "m", 0.0, 3.0,
        "unknown space this near the vehicle is free"},
+      {"start_bubble_m", &p.start_bubble_m, "m", 0.0, 5.0, "the same, where the vehicle starts"},
   };
 }
 

@@ -25,6 +25,7 @@ struct MappingParams {
   double target_above_m = 1.0;
   double target_below_m = 1.4;
   double vehicle_bubble_m = 0.6;
+  double start_bubble_m = 1.2;
 };
 
 ParamRows rows(MappingParams& p);

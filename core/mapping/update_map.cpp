@@ -157,8 +157,9 @@ int apply_marks(MappingState& state, const MappingParams& params) {
 }
 
 // The vehicle is there, so it is free, though the camera never sees it.
-int free_bubble(MappingState& state, const Vec3& centre_enu_m, const MappingParams& params) {
-  const Vec3 reach = Vec3::Constant(params.vehicle_bubble_m);
+int free_bubble(MappingState& state, const Vec3& centre_enu_m, double radius_m,
+                const MappingParams& params) {
+  const Vec3 reach = Vec3::Constant(radius_m);
   const Vec3i low = state.map.index_of(centre_enu_m - reach).cwiseMax(0);
   const Vec3i high =
       state.map.index_of(centre_enu_m + reach).cwiseMin(state.map.size - Vec3i::Ones());
@@ -209,6 +210,8 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
     update.status = MapStatus::kNoVehiclePose;
     return update;
   }
+  // Where it starts, somebody has placed it: there is room around it.
+  const double bubble_m = state.placed ? params.vehicle_bubble_m : params.start_bubble_m;
   if (!state.placed)
     state.map.cells.assign(state.map.cell_count(), static_cast<std::uint8_t>(Cell::kUnknown));
   update.scrolled = follow_vehicle(state, at_image->position_enu_m, params);
@@ -220,7 +223,7 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
   update.rays = scan.mark_rays();
   update.touched_cells = static_cast<int>(state.touched.size());
   update.changed_cells = apply_marks(state, params);
-  update.changed_cells += free_bubble(state, at_image->position_enu_m, params);
+  update.changed_cells += free_bubble(state, at_image->position_enu_m, bubble_m, params);
   if (update.changed_cells > 0 || update.scrolled) update_distances(state.map, state.distances);
   state.map.stamp_s = image.stamp_s;
   return update;
