@@ -117,13 +117,6 @@ geometry_msgs::msg::PoseStamped& add_pose(nav_msgs::msg::Path& out, double stamp
   return pose;
 }
 
-diagnostic_msgs::msg::KeyValue key_value(const std::string& key, const std::string& value) {
-  diagnostic_msgs::msg::KeyValue row;
-  row.key(key);
-  row.value(value);
-  return row;
-}
-
 }  // namespace
 
 void to_path(const Prediction& in, nav_msgs::msg::Path& out) {
@@ -185,28 +178,6 @@ void to_markers(const PlannedTrajectory& plan, MarkerArray& out) {
   if (plan.pieces.empty()) return;
   Marker& line = add_marker(out, plan.stamp_s, "plan", kinds::LINE_STRIP, kFlown);
   for (double t = 0.0; t <= plan.duration_s(); t += kPathStep_s) add_point(line, plan.position(t));
-}
-
-void to_diagnostics(const foretrack_msgs::msg::ServiceHealth& health,
-                    diagnostic_msgs::msg::DiagnosticArray& out) {
-  namespace levels = diagnostic_msgs::msg::DiagnosticStatus_Constants;
-  namespace states = foretrack_msgs::msg::ServiceHealth_Constants;
-  out.header(health.header());
-  out.status().resize(1);
-  auto& status = out.status()[0];
-  status.level(health.state() == states::STATE_RUNNING ? levels::OK : levels::WARN);
-  status.name("foretrack/" + std::string(health.service().c_str()));
-  status.message(health.last_error().c_str());
-  status.values() = {key_value("cpu_percent", std::to_string(health.cpu_percent())),
-                     key_value("rss_bytes", std::to_string(health.rss_bytes())),
-                     key_value("loop_mean_ms", std::to_string(health.loop_mean_ms())),
-                     key_value("loop_max_ms", std::to_string(health.loop_max_ms()))};
-  for (const auto& topic : health.topics()) {
-    std::uint64_t rejected = 0;
-    for (const auto& row : topic.rejected()) rejected += row.samples();
-    status.values().push_back(
-        key_value(std::string(topic.topic().c_str()) + " rejected", std::to_string(rejected)));
-  }
 }
 
 }  // namespace foretrack

@@ -4,8 +4,6 @@
 #include "core/common/prediction.hpp"
 #include "core/common/target.hpp"
 #include "core/common/trajectory.hpp"
-#include "diagnostic_msgs/msg/DiagnosticArray.h"
-#include "foretrack_msgs/msg/ServiceHealth.h"
 #include "nav_msgs/msg/Path.h"
 #include "visualization_msgs/msg/MarkerArray.h"
 
@@ -23,8 +21,5 @@ void to_markers(const IntentionAssessment& intention, const Prediction& predicti
                 visualization_msgs::msg::MarkerArray& out);
 /// The visible regions, the corridor's edges, and what is flown.
 void to_markers(const PlannedTrajectory& plan, visualization_msgs::msg::MarkerArray& out);
-
-void to_diagnostics(const foretrack_msgs::msg::ServiceHealth& health,
-                    diagnostic_msgs::msg::DiagnosticArray& out);
 
 }  // namespace foretrack
