@@ -13,6 +13,7 @@ constexpr double kEarliest_s = 1.0;  // an announcement is right if the turn beg
 constexpr double kLatest_s = 0.8;    // or began this long before
 constexpr double kForgiven_gap_s = 0.2;
 constexpr double kNever_s = -1.0;  // lead of a turn that was not announced
+constexpr double kHold_s = 0.08;   // shorter is flicker; an announcement counts from its end
 
 double time_of(const Moment& m) {
   return m.truth_index * kTruthStep_s;
@@ -34,6 +35,8 @@ std::vector<Run> announcements(const std::vector<Moment>& moments, ProbabilityOf
     else
       runs.push_back({t, t});
   }
+  std::erase_if(runs, [](const Run& run) { return run.to_s - run.from_s < kHold_s - 1e-9; });
+  for (Run& run : runs) run.from_s += kHold_s;
   return runs;
 }
 
@@ -105,26 +108,7 @@ void IntentionScorer::add(const std::vector<Moment>& moments,
         return e.side == side && onset_s >= run.from_s - kLatest_s &&
                onset_s <= run.to_s + kEarliest_s;
       });
-      if (!right) {
-        ++false_alarms_;
-        double nx = 99, pv = -99;
-        Intention s1 = side, s2 = side;
-        for (auto& e : events) {
-          double d = e.onset * kTruthStep_s - run.to_s;
-          if (d >= 0 && d < nx) {
-            nx = d;
-            s1 = e.side;
-          }
-          d = e.onset * kTruthStep_s - run.from_s;
-          if (d < 0 && d > pv) {
-            pv = d;
-            s2 = e.side;
-          }
-        }
-        if (getenv("FA"))
-          fprintf(stderr, "FA len %.2f next %.2f %s prev %.2f %s\n", run.to_s - run.from_s, nx,
-                  s1 == side ? "same" : "opp", pv, s2 == side ? "same" : "opp");
-      }
+      if (!right) ++false_alarms_;
     }
   }
 }

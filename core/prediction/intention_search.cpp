@@ -69,6 +69,9 @@ struct Search {
   }
   bool is_allowed(const SearchNode& from, const SearchNode& to) const;
   bool can_still_leave(const SearchNode& n) const;
+  double way_from_course_m(const SearchNode& n) const {
+    return root_side * side_axis.dot(n.state.position_m - request.start.position_m);
+  }
   bool is_allowed_before_turn(const SearchNode& from, const SearchNode& to) const;
 
   std::uint64_t key_of(const SearchNode& n) const;
@@ -125,6 +128,8 @@ void Search::push(const SearchNode& n) {
 bool Search::is_allowed_before_turn(const SearchNode& from, const SearchNode& to) const {
   if (to.intention == request.root) return true;
   const bool has_begun = root_side * from.turned_rad > 0.0;
+  if (has_begun && to.intention == Intention::kDecelerate)
+    return way_from_course_m(from) >= params.min_turn_way_m;
   if (has_begun) return root_side * from.turned_rad >= params.min_turn_rad - half_turn_rad();
   const double most_rad = std::abs(root_model().rate) * remaining_s(to.step);
   return to.intention == Intention::kForward && most_rad >= params.min_turn_rad;
@@ -142,9 +147,8 @@ bool Search::is_allowed(const SearchNode& from, const SearchNode& to) const {
 // A turn that ends at a wall beside the way is none: it must lead away from the present course.
 bool Search::can_still_leave(const SearchNode& n) const {
   if (root_side == 0.0) return true;
-  const Vec2 moved = n.state.position_m - request.start.position_m;
-  const double away_m = root_side * side_axis.dot(moved);
-  return away_m + n.state.velocity_m_s.norm() * remaining_s(n.step) >= params.min_turn_way_m;
+  const double most_m = n.state.velocity_m_s.norm() * remaining_s(n.step);
+  return way_from_course_m(n) + most_m >= params.min_turn_way_m;
 }
 
 void Search::expand(std::int32_t index) {

@@ -31,11 +31,11 @@ struct PredictionParams {
   double walking_speed_m_s = 0.2;
   double speed_fall_interval_s = 0.4;
   // Motion models
-  double turn_rate_rad_s = kPi / 2.0;
+  double turn_rate_rad_s = 5.0 * kPi / 6.0;
   double max_turn_rad = kPi / 2.0;
   double min_turn_rad = kPi / 6.0;
   double min_turn_way_m = 0.8;
-  double deceleration_m_s2 = 1.0;
+  double deceleration_m_s2 = 2.0;
   double target_radius_m = 0.3;
   // Search
   int max_expansions = 150;
@@ -50,7 +50,7 @@ struct PredictionParams {
   double change_turn_decelerate = 1.0;
   double change_decelerate_turn = 1.0;
   // Uncertainty: white acceleration per intention
-  double forward_noise_m2_s3 = 0.1;
+  double forward_noise_m2_s3 = 0.05;
   double turn_noise_m2_s3 = 0.2;
   double decelerate_noise_m2_s3 = 0.2;
 

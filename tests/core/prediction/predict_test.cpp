@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/core/prediction/worlds.hpp"
 
 namespace foretrack {
@@ -15,14 +17,161 @@ const PredictedPath* path_of(const Prediction& prediction, Intention intention) 
   return nullptr;
 }
 
+void expect_sound(const PredictionResult& result, const PredictionParams& params) {
+  const Prediction& prediction = result.prediction;
+  double sum = 0.0, before = 1.0;
+  for (const PredictedPath& path : prediction.paths) {
+    sum += path.probability;
+    EXPECT_LE(path.probability, before);
+    before = path.probability;
+    ASSERT_EQ(static_cast<int>(path.states.size()), params.step_count());
+    for (int k = 0; k < params.step_count(); ++k) {
+      const PredictedState& z = path.states[k];
+      EXPECT_NEAR(z.time_s, (k + 1) * params.step_s, 1e-9);
+      EXPECT_TRUE(z.position_enu_m.allFinite() && z.velocity_enu_m_s.allFinite());
+      EXPECT_GT(z.covariance_m2.determinant(), 0.0);
+      EXPECT_GT(z.covariance_m2(0, 0), 0.0);
+    }
+  }
+  EXPECT_NEAR(sum, prediction.paths.empty() ? 0.0 : 1.0, 1e-12);
+}
+
 TEST(Predict, TurnsAroundTheCornerBeforeTheTargetHasTurned) {
   PredictionState state;
-  const auto& result =
-      predict(state, walker({-1.0, 0.0}, {1.5, 0.0}), left_corner(), PredictionParams{});
+  const PredictionParams params;
+  const auto& result = predict(state, walker({-1.0, 0.0}, {1.5, 0.0}), left_corner(), params);
+  expect_sound(result, params);
   const PredictedPath* path = path_of(result.prediction, Intention::kTurnLeft);
   ASSERT_NE(path, nullptr);
   EXPECT_GT(path->states.back().position_enu_m.y(), 2.0);
   EXPECT_GT(path->states.back().velocity_enu_m_s.y(), 1.3);
+  EXPECT_EQ(path_of(result.prediction, Intention::kTurnRight), nullptr);  // a wall is there
+}
+
+TEST(Predict, PutsTheTurnFirstWhenTheChestHasTurnedAtTheCorner) {
+  PredictionState state;
+  const GridMap map = left_branch();
+  const PredictionParams params;
+  const PredictionResult* result = nullptr;
+  for (int i = 0; i <= 25; ++i) {
+    const double t = 0.04 * i;
+    TargetState target = walker({-1.3 + 1.5 * t, 0.0}, {1.5, 0.0}, t);
+    target.body_yaw_rad = std::max(0.0, 2.5 * (t - 0.7));
+    result = &predict(state, target, map, params);
+    EXPECT_TRUE(i != 10 || result->intention.most_likely() == Intention::kForward);
+  }
+  EXPECT_EQ(result->prediction.paths.front().intention, Intention::kTurnLeft);
+  EXPECT_GT(result->prediction.paths.front().probability, 0.5);
+}
+
+TEST(Predict, GivesEachPossibleIntentionItsPathInTheOpen) {
+  PredictionState state;
+  const PredictionParams params;
+  const auto& result = predict(state, walker({0, 0}, {1.5, 0.0}), open_field(), params);
+  EXPECT_EQ(result.prediction.status, PredictionStatus::kOk);
+  EXPECT_EQ(result.prediction.paths.size(), 4u);
+  expect_sound(result, params);
+  for (const auto& path : result.prediction.paths)
+    EXPECT_NEAR(path.probability, result.intention[path.intention].probability, 1e-12);
+}
+
+TEST(Predict, SharesTheProbabilityOfImpossibleIntentionsAmongTheOthers) {
+  PredictionState state;
+  const PredictionParams params;
+  const auto& result = predict(state, walker({-2, 0}, {1.5, 0.0}), narrow_corridor(), params);
+  ASSERT_EQ(result.prediction.paths.size(), 2u);
+  expect_sound(result, params);
+  const double ratio =
+      result.prediction.paths[0].probability / result.prediction.paths[1].probability;
+  EXPECT_NEAR(ratio,
+              result.intention[result.prediction.paths[0].intention].probability /
+                  result.intention[result.prediction.paths[1].intention].probability,
+              1e-9);
+}
+
+TEST(Predict, StaysWhereItIsAtZeroSpeed) {
+  PredictionState state;
+  const PredictionParams params;
+  TargetState target = walker({0, 0}, {0, 0});
+  target.body_yaw_rad = 1.0;
+  const auto& result = predict(state, target, left_branch(), params);
+  expect_sound(result, params);
+  for (const auto& path : result.prediction.paths)
+    EXPECT_NEAR((path.states.back().position_enu_m - target.position_enu_m).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(result.intention.region.heading_rad, 1.0, 1e-12);
+}
+
+TEST(Predict, GrowsTheCovarianceAsTheIntegralOfItsModel) {
+  PredictionState state;
+  PredictionParams params;
+  TargetState target = walker({0, 0}, {1.0, 0.0});
+  const auto& result = predict(state, target, open_field(), params);
+  const PredictedPath* forward = path_of(result.prediction, Intention::kForward);
+  ASSERT_NE(forward, nullptr);
+  // Constant velocity from independent errors: P + t² V + q t³ / 3.
+  for (const PredictedState& z : forward->states) {
+    const double t = z.time_s;
+    const double expected = 0.01 + t * t * 0.01 + params.forward_noise_m2_s3 * t * t * t / 3.0;
+    EXPECT_NEAR(z.covariance_m2(0, 0), expected, 1e-9);
+    EXPECT_NEAR(z.covariance_m2(1, 1), expected, 1e-9);
+  }
+}
+
+TEST(Predict, SaysThatThereIsNoTarget) {
+  PredictionState state;
+  const PredictionParams params;
+  predict(state, walker({0, 0}, {1, 0}), open_field(), params);
+  TargetState lost = walker({0, 0}, {1, 0}, 2.0);
+  lost.status = TrackStatus::kLost;
+  EXPECT_EQ(predict(state, lost, open_field(), params).prediction.status,
+            PredictionStatus::kNoTarget);
+  EXPECT_TRUE(state.result.prediction.paths.empty());
+  TargetState broken = walker({0, 0}, {1, 0}, 2.0);
+  broken.velocity_enu_m_s.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(predict(state, broken, open_field(), params).prediction.status,
+            PredictionStatus::kNoTarget);
+}
+
+TEST(Predict, SlowsDownATargetThatSeemsToBeInsideAnObstacle) {
+  PredictionState state;
+  const PredictionParams params;
+  const GridMap map = map_of({{-1, 1, -1, 1}});
+  const auto& result = predict(state, walker({0, 0}, {1.0, 0.0}), map, params);
+  EXPECT_EQ(result.prediction.status, PredictionStatus::kTargetBlocked);
+  ASSERT_EQ(result.prediction.paths.size(), 1u);
+  expect_sound(result, params);
+  EXPECT_NEAR(result.prediction.paths[0].states.back().velocity_enu_m_s.norm(), 0.0, 1e-9);
+}
+
+TEST(Predict, WorksWithoutAMapAndWithoutABodyYaw) {
+  PredictionState state;
+  const PredictionParams params;
+  TargetState target = walker({0, 0}, {1.2, 0.3});
+  target.body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
+  const auto& result = predict(state, target, GridMap{}, params);
+  EXPECT_EQ(result.prediction.status, PredictionStatus::kOk);
+  expect_sound(result, params);
+}
+
+TEST(Predict, GivesTheSameResultForTheSameInput) {
+  const PredictionParams params;
+  PredictionState a, b;
+  predict(b, walker({3, 3}, {0.5, 0.5}, 0.9), left_corner(), params);  // another history of work
+  b.history = {};
+  const auto& x = predict(a, walker({-1, 0.2}, {1.4, 0.1}), left_corner(), params);
+  const auto& y = predict(b, walker({-1, 0.2}, {1.4, 0.1}), left_corner(), params);
+  ASSERT_EQ(x.prediction.paths.size(), y.prediction.paths.size());
+  EXPECT_EQ(x.prediction.expansions, y.prediction.expansions);
+  for (std::size_t i = 0; i < x.prediction.paths.size(); ++i) {
+    EXPECT_EQ(x.prediction.paths[i].probability, y.prediction.paths[i].probability);
+    EXPECT_EQ(x.prediction.paths[i].states.back().position_enu_m,
+              y.prediction.paths[i].states.back().position_enu_m);
+  }
+}
+
+TEST(PredictionParams, AreValidByDefault) {
+  PredictionParams params;
+  EXPECT_NO_THROW(validate_or_throw("prediction", rows(params)));
 }
 
 }  // namespace
