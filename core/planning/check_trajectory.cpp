@@ -11,6 +11,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kTargetStep_s = 0.02;
+constexpr double kBrakingShare = 0.3;  // of the acceleration limit, that a retreat can count on
 
 struct Checker {
   const PlannedTrajectory& trajectory;
@@ -161,25 +162,32 @@ Vec3 target_at(const PredictedPath& path, double time_s) {
   return (1.0 - w) * a.position_enu_m + w * b.position_enu_m;
 }
 
+/// The least allowed distance is the floor, or while the start is left what the start's distance
+/// and closing speed leave unavoidable.
 void Checker::check_target_distance() {
   result.min_target_distance_m = std::numeric_limits<double>::infinity();
   const PredictedPath* path = inputs.target_path;
-  if (!path || path->states.empty() || params.target_distance_min_m <= 0.0) return;
+  const double floor_m = params.target_distance_min_m;
+  if (!path || path->states.empty() || floor_m <= 0.0) return;
   const double offset_s = trajectory.start_s - inputs.target_stamp_s;
-  const double end_s = std::min(duration_s, path->states.back().time_s - offset_s);
+  const double end_s = std::clamp(path->states.back().time_s - offset_s, 0.0, duration_s);
   const auto distance_at = [&](double t) {
     return distance_xy(trajectory.position(t), target_at(*path, t + offset_s));
   };
   const double start_m = distance_at(0.0);
-  bool escaping = start_m < params.target_distance_min_m;
-  const int steps = static_cast<int>(std::ceil(std::max(end_s, 0.0) / kTargetStep_s));
+  const double closing_m_s = std::max((start_m - distance_at(kTargetStep_s)) / kTargetStep_s, 0.0);
+  const double braking_m_s2 = kBrakingShare * limits.acceleration_max_m_s2;
+  const double unavoidable_m = start_m - 0.5 * closing_m_s * closing_m_s / braking_m_s2;
+  bool leaving = unavoidable_m < floor_m;
+  double before_m = start_m;
+  const int steps = static_cast<int>(std::ceil(end_s / kTargetStep_s));
   for (int i = 0; i <= steps; ++i) {
-    const double t = std::min(i * kTargetStep_s, std::max(end_s, 0.0)), distance_m = distance_at(t);
+    const double t = std::min(i * kTargetStep_s, end_s), distance_m = distance_at(t);
     result.min_target_distance_m = std::min(result.min_target_distance_m, distance_m);
-    escaping = escaping && distance_m < params.target_distance_min_m;
-    const double least_m =
-        escaping ? start_m - params.position_tolerance_m : params.target_distance_min_m;
+    leaving = leaving && (distance_m < floor_m || distance_m < before_m || i == 0);
+    const double least_m = leaving ? unavoidable_m - params.position_tolerance_m : floor_m;
     if (distance_m < least_m) fault(PlanReason::kTooNearTarget, t);
+    before_m = distance_m;
   }
 }
 

@@ -5,10 +5,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/planning/polynomial.hpp"
 #include "core/planning/trajectory_cost.hpp"
 
 namespace foretrack {
 namespace {
+
+constexpr int kSlowdownsMax = 6;
+constexpr double kSlowdown = 1.06;
 
 [[noreturn]] void reject(const std::string& what) {
   throw std::invalid_argument("optimize_trajectory: " + what);
@@ -57,6 +61,16 @@ OptimizationStatus status_of(LbfgsStatus status) {
   return OptimizationStatus::kNotFinite;
 }
 
+bool within(const FlightLimits& limits, const std::vector<QuinticPiece>& pieces) {
+  return peak_norm(pieces, 1).value <= limits.speed_max_m_s &&
+         peak_norm(pieces, 2).value <= limits.acceleration_max_m_s2;
+}
+
+void take_pieces(const Minco& minco, std::vector<QuinticPiece>& pieces) {
+  pieces.clear();
+  for (int i = 0; i < minco.pieces; ++i) pieces.push_back(piece_of(minco, i));
+}
+
 }  // namespace
 
 struct OptimizerState::Workspace {
@@ -85,10 +99,17 @@ const OptimizationResult& optimize_trajectory(OptimizerState& state,
   result.evaluations = report.evaluations;
   result.initial_cost = report.initial_cost;
   result.cost = report.cost;
+  result.slowdowns = 0;
   result.pieces.clear();
   if (result.status == OptimizationStatus::kNotFinite) return result;
   cost.set_trajectory(x);
-  for (int i = 0; i < cost.minco().pieces; ++i) result.pieces.push_back(piece_of(cost.minco(), i));
+  take_pieces(cost.minco(), result.pieces);
+  // Penalties are soft: what still exceeds a limit flies the same waypoints slower.
+  while (result.slowdowns < kSlowdownsMax && !within(problem.limits, result.pieces)) {
+    ++result.slowdowns;
+    cost.slow_down(kSlowdown);
+    take_pieces(cost.minco(), result.pieces);
+  }
   return result;
 }
 

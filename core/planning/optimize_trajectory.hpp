@@ -43,9 +43,9 @@ struct OptimizationProblem {
 
 struct OptimizerParams {
   double time_weight = 20.0;              // ρ
-  double corridor_weight = 3.0e5;         // of cubed metres
-  double speed_weight = 1.0e2;            // of cubed (m/s)²
-  double acceleration_weight = 1.0e1;     // of cubed (m/s²)²
+  double corridor_weight = 1.0e6;         // of cubed metres
+  double speed_weight = 1.0e3;            // of cubed (m/s)²
+  double acceleration_weight = 1.0e2;     // of cubed (m/s²)²
   double visibility_weight = 8.0e3;       // of the cubed cosine, V̂_k
   double next_visibility_weight = 4.0e3;  // of the cubed cosine, V_{k+1}
   double distance_weight = 2.0e3;         // of cubed metres
@@ -69,6 +69,7 @@ struct OptimizationResult {
   std::vector<QuinticPiece> pieces;
   int iterations = 0;
   int evaluations = 0;
+  int slowdowns = 0;  // how often it was stretched in time afterwards to keep the limits
   double initial_cost = 0.0;
   double cost = 0.0;
 };

@@ -199,7 +199,7 @@ void add_distance_band(const Vec3& p, const Vec3& target, double low_m, double h
                        double weight, PointPenalty& sum) {
   const Vec2 d = (p - target).head<2>();
   const double norm = std::sqrt(d.squaredNorm() + kDistanceFloor_m2);
-  const Hinge near = cubed_hinge(low_m - norm), far = cubed_hinge(norm - high_m);
+  const Hinge near = cubed_hinge(low_m - norm), far = reaching_hinge(norm - high_m, kFarReach_m);
   sum.value += weight * (near.value + far.value);
   sum.gradient.head<2>() += (weight * (far.slope - near.slope) / norm) * d;
 }
@@ -207,7 +207,7 @@ void add_distance_band(const Vec3& p, const Vec3& target, double low_m, double h
 void add_height_band(const Vec3& p, double height_m, double band_m, double weight,
                      PointPenalty& sum) {
   const double above = p.z() - height_m;
-  const Hinge hinge = cubed_hinge(std::abs(above) - band_m);
+  const Hinge hinge = reaching_hinge(std::abs(above) - band_m, kFarReach_m);
   sum.value += weight * hinge.value;
   sum.gradient.z() += weight * std::copysign(hinge.slope, above);
 }

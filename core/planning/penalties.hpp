@@ -15,6 +15,13 @@ inline Hinge cubed_hinge(double g) {
   return {g * g * g, 3.0 * g * g};
 }
 
+/// The same, but linear from g = reach on: a target far away must pull, not outweigh all limits.
+inline Hinge reaching_hinge(double g, double reach) {
+  if (g <= reach) return cubed_hinge(g);
+  const Hinge at_reach = cubed_hinge(reach);
+  return {at_reach.value + at_reach.slope * (g - reach), at_reach.slope};
+}
+
 /// A penalty at one point.
 struct PointPenalty {
   double value = 0.0;
@@ -31,10 +38,11 @@ Sector make_sector(const Vec3& apex_enu_m, double bisector_rad, double half_angl
 
 /// G_ν = cos θ − (p − z)·ξ / ‖p − z‖, horizontal.
 void add_visibility(const Vec3& p, const Sector& sector, double weight, PointPenalty& sum);
-/// G_dl = d_l − d_xy and G_du = d_xy − d_u.
+/// G_dl = d_l − d_xy and G_du = d_xy − d_u; the latter linear from kFarReach_m on.
+inline constexpr double kFarReach_m = 0.2;
 void add_distance_band(const Vec3& p, const Vec3& target, double low_m, double high_m,
                        double weight, PointPenalty& sum);
-/// |p_z − height| − band.
+/// |p_z − height| − band, linear from kFarReach_m on.
 void add_height_band(const Vec3& p, double height_m, double band_m, double weight,
                      PointPenalty& sum);
 

@@ -70,6 +70,11 @@ void TrajectoryCost::set_trajectory(const Variables& x) {
   solve(minco_);
 }
 
+void TrajectoryCost::slow_down(double factor) {
+  for (int i = 0; i < minco_.pieces; ++i) minco_.durations_s[i] *= factor;
+  solve(minco_);
+}
+
 double TrajectoryCost::evaluate(const Variables& x, Variables& gradient) {
   const int n = minco_.pieces;
   set_trajectory(x);

@@ -19,6 +19,8 @@ class TrajectoryCost : public CostFunction {
   const Variables& first_guess() const { return first_guess_; }
   /// Waypoints and durations from variables, and the trajectory through them.
   void set_trajectory(const Variables& x);
+  /// Multiplies all durations of the present trajectory.
+  void slow_down(double factor);
   const Minco& minco() const { return minco_; }
 
   double evaluate(const Variables& x, Variables& gradient) override;

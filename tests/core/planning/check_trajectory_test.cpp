@@ -243,5 +243,26 @@ TEST(CheckTrajectory, LetsAVehicleRetreatFromANearTarget) {
             PlanReason::kTooNearTarget);
 }
 
+// Whatever the vehicle does now, the distance falls first: rejecting the retreat would not help.
+TEST(CheckTrajectory, AcceptsTheRetreatFromATargetThatClosesIn) {
+  const GridMap map = make_map();
+  PredictedPath walker;
+  for (int k = 1; k <= 15; ++k)
+    walker.states.push_back(
+        {0.2 * k, Vec3(-0.8 + 0.2 * k, 0.0, 1.0), Vec3(1.0, 0.0, 0.0), Mat2::Zero()});
+  PlannedTrajectory retreat = straight(kStart, Vec3::Zero(), 1.0);
+  // From rest to 3 m/s within the first second: v = 9 t² − 6 t³.
+  retreat.pieces[0].coefficients.row(3) = Vec3(3.0, 0.0, 0.0);
+  retreat.pieces[0].coefficients.row(4) = Vec3(-1.5, 0.0, 0.0);
+  retreat.pieces[1] = make_stop_tail(state_at(retreat.pieces[0], 1.0), {}).piece;
+  const PlannedTrajectory stays = straight(kStart, Vec3::Zero(), 1.0);
+  CheckParams params;
+  params.target_distance_min_m = 0.7;
+  const CheckResult result = check(retreat, map, &walker, params);
+  EXPECT_TRUE(result.ok()) << to_string(result.reason) << " at " << result.failed_at_s;
+  EXPECT_LT(result.min_target_distance_m, 0.7);
+  EXPECT_EQ(check(stays, map, &walker, params).reason, PlanReason::kTooNearTarget);
+}
+
 }  // namespace
 }  // namespace foretrack

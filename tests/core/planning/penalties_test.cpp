@@ -67,7 +67,10 @@ TEST(Penalties, DistanceBandPunishesOutsideTheBandOnly) {
   EXPECT_GT(cost_at(0.0), cost_at(1.0));
   EXPECT_GT(cost_at(1.0), 0.0);
   EXPECT_EQ(cost_at(2.0), 0.0);
-  EXPECT_NEAR(cost_at(3.5), 1.0, 1e-3);
+  EXPECT_NEAR(cost_at(0.5), 1.0, 1e-3);
+  EXPECT_NEAR(cost_at(2.6), 1e-3, 1e-5);
+  // Far away it grows linearly: the pull has a limit.
+  EXPECT_NEAR(cost_at(40.0) - cost_at(30.0), cost_at(20.0) - cost_at(10.0), 1e-6);
 }
 
 /// The quadrature as the paper writes it, from the polynomial itself.

@@ -14,6 +14,7 @@ struct RandomProblemOptions {
   int paths = 1;  // intention paths: the first goes where the vehicle's guess follows
   int samples_per_path = 15;
   double sample_step_s = 0.2;
+  double behind_m = 2.0;  // of the vehicle, on the target's way
 };
 
 namespace random_problem {
@@ -81,10 +82,12 @@ inline OptimizationProblem make_random_problem(std::uint64_t seed,
   const double horizon_s = options.samples_per_path * options.sample_step_s;
   random_problem::Walk walk{random.uniform(0.5, 2.0), random.uniform(0.0, 2.5), 0.0};
   walk.turn_rad = random.chance(0.7) ? random.uniform(-1.7, 1.7) : 0.0;
-  // The vehicle's guess: the target's own way, two metres late, on a coarse grid.
-  const double behind_s = 2.0 / walk.speed_m_s;
+  // The vehicle's guess: the target's own way, some metres late, on a coarse grid. From further
+  // behind it catches up at most of its speed.
+  const double view_s = 2.0 / walk.speed_m_s, behind_s = options.behind_m / walk.speed_m_s;
+  const double catch_up = std::max(2.3 / walk.speed_m_s, 1.0);
   const auto guess = [&](double t) {
-    Vec3 p = walk.at(t - behind_s) + Vec3(0.0, 0.0, 0.5);
+    Vec3 p = walk.at(std::min(catch_up * t - behind_s, t - view_s)) + Vec3(0.0, 0.0, 0.5);
     for (int i = 0; i < 3; ++i) p[i] += random.uniform(-0.1, 0.1);
     return p;
   };
@@ -109,7 +112,7 @@ inline OptimizationProblem make_random_problem(std::uint64_t seed,
   for (int path = 0; path < options.paths; ++path) {
     const double weight = path + 1 == options.paths ? left : 0.6 * left;
     left -= weight;
-    random_problem::add_samples(walk, weight, behind_s, options, random, problem);
+    random_problem::add_samples(walk, weight, view_s, options, random, problem);
     walk.turn_at_s = random.uniform(0.3, 1.5);
     walk.turn_rad = random.uniform(-1.7, 1.7);
   }
