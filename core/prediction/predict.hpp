@@ -26,7 +26,7 @@ struct PredictionState {
 /// Assesses the intentions and predicts one path for each that is possible here; the path
 /// probabilities are those of the intentions, normalised over the paths. The result is valid until
 /// the next call. Without a usable target: kNoTarget and no path. Allocates nothing after the first
-/// calls. Cost: about 0.05 ms.
+/// calls. Cost: about 0.05 ms in the open, 0.1 ms between walls.
 /// Source: Ren et al. 2024, §III.B, §III.C, §IV; the probabilities and one path per intention are
 /// ours.
 const PredictionResult& predict(PredictionState& state, const TargetState& target,
