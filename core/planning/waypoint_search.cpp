@@ -8,7 +8,7 @@
 namespace foretrack {
 namespace {
 
-constexpr int kWindow = 160;                 // cells a side
+constexpr int kWindow = 256;                 // cells a side
 constexpr double kNearTargetFactor = 3.0;    // cost of way closer to the person than allowed
 constexpr double kLowClearanceFactor = 1.0;  // cost of way beside obstacles
 constexpr double kGreed = 1.15;  // of the heuristic: fewer expansions for a slightly longer way
