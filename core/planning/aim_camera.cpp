@@ -8,20 +8,11 @@ namespace {
 
 constexpr double kNear_m = 0.2;  // nearer than this, a bearing means nothing
 
-Vec3 position_at(const ExpectedPath& path, double t_s, double step_s) {
-  const auto last = path.positions_enu_m.size() - 1;
-  const double steps = std::max(t_s / step_s - 1.0, 0.0);
-  const auto k = std::min(static_cast<std::size_t>(steps), last);
-  if (k == last) return path.positions_enu_m[last];
-  const double part = steps - static_cast<double>(k);
-  return (1.0 - part) * path.positions_enu_m[k] + part * path.positions_enu_m[k + 1];
-}
-
 // Sum of unit vectors towards the target, weighted by probability: x, y in the plane, z up.
 Vec3 mean_direction(const Vec3& from, const ExpectedTarget& expected, double t_s, double step_s) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < expected.count; ++i) {
-    const Vec3 offset = position_at(expected.paths[i], t_s, step_s) - from;
+    const Vec3 offset = expected.paths[i].position(t_s, step_s) - from;
     const double distance_m = offset.head<2>().norm();
     if (distance_m > kNear_m) sum += expected.paths[i].probability / distance_m * offset;
   }

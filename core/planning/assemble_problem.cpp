@@ -33,17 +33,18 @@ Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& t
 
 bool build_corridor(const SearchContext& context, const FlightPath& path,
                     CorridorWorkspace& workspace, std::vector<Polytope>& corridor) {
-  const CorridorParams params{context.params.check.vehicle_radius_m,
-                              context.params.place.corridor_reach_m,
-                              context.params.place.corridor_height_m};
+  const double radius_m = context.params.check.vehicle_radius_m;
+  CorridorParams params{radius_m, context.params.place.corridor_reach_m,
+                        context.params.place.corridor_height_m};
   resize_polytopes(workspace, corridor, path.vertices.size() - 1);
-  const bool start_blocked =
-      context.map.unfree_distance_m(path.vertices.front()) < params.vehicle_radius_m;
+  const double start_m = context.map.unfree_distance_m(path.vertices.front());
   bool clear = true;
   for (std::size_t i = 0; i < corridor.size(); ++i) {
+    // A start that is nearer to obstacles than allowed may be left, but not nearer to them.
+    params.vehicle_radius_m = i == 0 ? std::min(radius_m, start_m) : radius_m;
     const bool segment_clear = decompose_segment(
         context.map, path.vertices[i], path.vertices[i + 1], params, workspace, corridor[i]);
-    clear &= segment_clear || (i == 0 && start_blocked);
+    clear &= segment_clear || (i == 0 && start_m < radius_m);
   }
   return clear;
 }

@@ -55,6 +55,15 @@ std::size_t furthest_straight(const SearchContext& context, const WaypointPath& 
   return good;
 }
 
+// From a start that is blocked, the first place that is not: the way out is one segment.
+std::size_t end_of_escape(const SearchContext& context, const WaypointPath& way) {
+  const double required_m = context.params.path_clearance_m();
+  std::size_t i = 0;
+  while (i + 1 < way.points.size() && context.map.unfree_distance_m(way.points[i]) < required_m)
+    ++i;
+  return i;
+}
+
 double time_at(const FlightPathWorkspace& w, double arc_m, double step_s, double speed_m_s) {
   const auto it = std::lower_bound(w.schedule_m.begin(), w.schedule_m.end(), arc_m - 1e-9);
   const double horizon_s = step_s * static_cast<double>(w.schedule_m.size() - 1);
@@ -84,11 +93,12 @@ void make_flight_path(const SearchContext& context, const WaypointPath& way, dou
   path.times_s.assign(1, 0.0);
   const auto end_index = static_cast<std::size_t>(
       std::lower_bound(w.arc_m.begin(), w.arc_m.end(), end_m - 1e-9) - w.arc_m.begin());
+  const std::size_t escape = std::min(end_of_escape(context, way), end_index);
   for (std::size_t at = 0;
        at < end_index && static_cast<int>(path.vertices.size()) <= params.place.polytopes_max;) {
     std::size_t last = at + 1;
     while (last < end_index && w.arc_m[last + 1] - w.arc_m[at] <= longest_m) ++last;
-    at = furthest_straight(context, way, at, last);
+    at = at < escape ? escape : furthest_straight(context, way, at, last);
     path.vertices.push_back(way.points[at]);
     path.times_s.push_back(
         std::max(path.times_s.back() + kMinSegment_s, time_at(w, w.arc_m[at], step_s, speed_m_s)));

@@ -26,7 +26,6 @@ class LookingAhead {
     const bool margins = context.params.horizon.intention_margins;
     left_ = margins ? score_of(assessment, Intention::kTurnLeft) : 0.0;
     right_ = margins ? score_of(assessment, Intention::kTurnRight) : 0.0;
-    slower_ = margins ? score_of(assessment, Intention::kDecelerate) : 0.0;
   }
 
   // The vehicle cannot turn at once: the way begins along its present motion.
@@ -58,23 +57,11 @@ class LookingAhead {
       const ExpectedPath& path = expected_.paths[i];
       out_.views[i].assign(path.positions_enu_m.size(), View{});
       for (std::size_t k = 0; k < path.positions_enu_m.size(); ++k) {
-        if (same_place(i, k) >= 0) continue;
+        if (expected_.owner(i, k, context_.params.horizon.merge_distance_m) != i) continue;
         out_.views[i][k] = view_of_other(path.positions_enu_m[k], path.velocities_enu_m_s[k],
                                          out_.way.points[out_.way.arrival[k]]);
       }
     }
-  }
-
-  void make_samples() {
-    out_.samples.clear();
-    const auto steps = out_.views[0].size();
-    for (std::size_t k = 0; k < steps; ++k)
-      for (int i = 0; i < expected_.count; ++i) {
-        if (same_place(i, k) >= 0) continue;
-        out_.samples.push_back(sample_of(i, k));
-        for (int j = i + 1; j < expected_.count; ++j)
-          if (same_place(j, k) == i) out_.samples.back().weight += weight_of(j, k);
-      }
   }
 
  private:
@@ -123,56 +110,11 @@ class LookingAhead {
     if (moved != waypoint) out_.way.points.push_back(moved);
   }
 
-  // The more likely path whose z_k this path's z_k is merged with; −1: none.
-  int same_place(int i, std::size_t k) const {
-    const double near_m = context_.params.horizon.merge_distance_m;
-    const Vec3& place = expected_.paths[i].positions_enu_m[k];
-    for (int j = 0; j < i; ++j)
-      if ((place - expected_.paths[j].positions_enu_m[k]).squaredNorm() < near_m * near_m &&
-          same_place(j, k) < 0)
-        return j;
-    return -1;
-  }
-
-  double time_s(std::size_t k) const {
-    return context_.params.horizon.step_s * static_cast<double>(k + 1);
-  }
-  double weight_of(int i, std::size_t k) const {
-    return expected_.paths[i].probability *
-           std::exp(-context_.params.horizon.later_discount_per_s * time_s(k));
-  }
-
-  TargetSample sample_of(int i, std::size_t k) const {
-    const ExpectedPath& path = expected_.paths[i];
-    const View& view = out_.views[i][k];
-    TargetSample sample;
-    sample.time_s = time_s(k);
-    sample.weight = weight_of(i, k);
-    sample.target_enu_m = path.positions_enu_m[k];
-    sample.has_region = view.seen;
-    sample.bisector_rad = view.shrunk.bisector_rad;
-    sample.half_angle_rad = view.shrunk.half_angle_rad;
-    if (k + 1 < out_.views[i].size()) {
-      const int owner = same_place(i, k + 1);
-      const View& next_view = out_.views[owner < 0 ? i : owner][k + 1];
-      const ViewSector& next = next_view.visible;
-      sample.has_next = next_view.seen;
-      sample.next_target_enu_m = path.positions_enu_m[k + 1];
-      sample.next_bisector_rad = next.bisector_rad;
-      sample.next_half_angle_rad = next.half_angle_rad;
-    }
-    const PlaceParams& place = context_.params.place;
-    sample.distance_high_m = place.distance_high_m;
-    sample.distance_low_m =
-        std::min(place.distance_kept_m() + place.distance_extra_m * slower_, place.distance_high_m);
-    return sample;
-  }
-
   const SearchContext& context_;
   const ExpectedTarget& expected_;
   StageClock& clock_;
   LookAhead& out_;
-  double left_, right_, slower_;  // Π_tl, Π_tr, Π_dec
+  double left_, right_;  // Π_tl, Π_tr
 };
 
 }  // namespace
@@ -186,7 +128,6 @@ void look_ahead(const SearchContext& context, const Vec3& start_enu_m, const Vec
   looking.begin_way(start_enu_m, start_velocity);
   looking.find_waypoints();
   looking.find_other_views();
-  looking.make_samples();
   clock.lap(PlanStage::kVisibleRegions);
 }
 

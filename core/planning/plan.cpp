@@ -1,9 +1,11 @@
 #include "core/planning/plan.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/planning/assemble_problem.hpp"
 #include "core/planning/fall_back.hpp"
+#include "core/planning/target_samples.hpp"
 
 namespace foretrack {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 constexpr double kSlowdown = 1.4;  // of the first guess's times in the second attempt
 constexpr double kFirm = 10.0;     // of the hard limits' weights in the second attempt
 constexpr double kStands_m_s = 0.02;
+constexpr double kDistanceStep_s = 0.1;
 
 bool is_finite(const PlanInput& in) {
   return std::isfinite(in.now_s) && in.vehicle.position_enu_m.allFinite() &&
@@ -58,8 +61,8 @@ class Replan {
     clock_.lap(PlanStage::kPath);
     const bool clear = build_corridor(context, s_.path, s_.corridor, s_.problem.corridor);
     guess_trajectory(context, s_.path, start_, s_.expected.paths[0], s_.problem);
-    std::swap(s_.problem.samples, s_.ahead.samples);
-    open_bands();
+    make_samples(context, s_.expected, s_.ahead, s_.path_workspace, start_.state,
+                 score_decelerate(), s_.problem.samples);
     clock_.lap(PlanStage::kCorridor);
     if (!clear) return PlanReason::kEmptyCorridor;
     PlanReason reason = attempt(params_.optimizer);
@@ -69,7 +72,30 @@ class Replan {
     careful.corridor_weight *= kFirm;
     careful.speed_weight *= kFirm;
     careful.acceleration_weight *= kFirm;
-    return attempt(careful) == PlanReason::kOk ? PlanReason::kOk : reason;
+    const PlanReason second = attempt(careful);
+    if (second == PlanReason::kOk || (second == PlanReason::kTooNearTarget && retreats()))
+      return PlanReason::kOk;
+    return reason;
+  }
+
+  // The target comes too near whatever is planned: rather away from it than on as before.
+  bool retreats() {
+    const CheckInputs inputs{*in_.map, start_.state, start_.yaw};
+    const PlannedTrajectory& candidate = next().trajectory;
+    if (!check_trajectory(candidate, inputs, params_.limits, params_.check).ok()) return false;
+    return !start_.on_flown ||
+           least_target_distance_m(candidate, 0.0) >
+               least_target_distance_m(flown().trajectory,
+                                       start_.time_s - flown().trajectory.start_s);
+  }
+
+  double least_target_distance_m(const PlannedTrajectory& trajectory, double from_s) const {
+    const ExpectedPath& path = s_.expected.paths[0];
+    double least_m = std::numeric_limits<double>::infinity();
+    for (double t_s = 0.0; t_s <= params_.horizon.horizon_s; t_s += kDistanceStep_s)
+      least_m = std::min(least_m, distance_xy(trajectory.position(from_s + t_s),
+                                              path.position(t_s, params_.horizon.step_s)));
+    return least_m;
   }
 
   // Takes in the prediction, or remembers the last one while a lost target is searched for.
@@ -96,16 +122,17 @@ class Replan {
   bool lost() const { return s_.lost_since_s >= 0.0; }
   bool searching() const { return in_.now_s - s_.lost_since_s < params_.horizon.search_s; }
 
+  double score_decelerate() const {
+    const bool counts = in_.intention != nullptr && params_.horizon.intention_margins;
+    return counts ? (*in_.intention)[Intention::kDecelerate].score : 0.0;
+  }
   // d*: the middle of the band, further if a deceleration is likely.
   double wanted_distance_m() const {
-    const double low_m =
-        in_.intention != nullptr && params_.horizon.intention_margins
-            ? params_.place.distance_kept_m() +
-                  params_.place.distance_extra_m * (*in_.intention)[Intention::kDecelerate].score
-            : params_.place.distance_kept_m();
-    return std::max(params_.distance_wanted_m(),
-                    std::min(low_m + params_.place.ring_tolerance_m,
-                             params_.place.distance_high_m - params_.place.ring_tolerance_m));
+    const PlaceParams& place = params_.place;
+    const double low_m = place.distance_kept_m() + place.distance_extra_m * score_decelerate();
+    return std::max(
+        params_.distance_wanted_m(),
+        std::min(low_m + place.ring_tolerance_m, place.distance_high_m - place.ring_tolerance_m));
   }
 
   PlanReason attempt(const OptimizerParams& optimizer) {
@@ -129,17 +156,6 @@ class Replan {
     return reason;
   }
 
-  // A target out of reach would pull the trajectory beyond its limits: until the vehicle can have
-  // come near, as near as it can be is near enough.
-  void open_bands() {
-    for (TargetSample& sample : s_.problem.samples) {
-      const auto k = static_cast<std::size_t>(std::lround(sample.time_s / params_.horizon.step_s));
-      const Vec3 reached = scheduled_position(s_.ahead.way, s_.path_workspace, k);
-      sample.distance_high_m =
-          std::max(sample.distance_high_m, distance_xy(reached, sample.target_enu_m));
-    }
-  }
-
   void append_tail(PlannedTrajectory& trajectory) {
     trajectory.tail_start_s = trajectory.duration_s();
     const QuinticPiece& last = trajectory.pieces.back();
@@ -158,7 +174,7 @@ class Replan {
     return result.reason;
   }
 
-  // For the second attempt: the likeliest path only, slower, ending at rest.
+  // For the second attempt: slower, ending at rest.
   void be_careful() {
     for (double& duration_s : s_.problem.durations_s) duration_s *= kSlowdown;
     s_.problem.goal.velocity.setZero();
@@ -170,7 +186,7 @@ class Replan {
     t.id = ++s_.last_id;
     t.stamp_s = lost() ? s_.belief.stamp_s : in_.target.stamp_s;
     t.status = lost() ? PlanStatus::kSearch : PlanStatus::kFresh;
-    t.reason = lost() ? PlanReason::kTargetLost : PlanReason::kOk;
+    t.reason = lost() ? PlanReason::kTargetLost : next().diagnostics.check.reason;
     fill_views(t);
     count_work(next().diagnostics);
     s_.flown = 1 - s_.flown;

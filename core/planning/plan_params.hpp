@@ -37,7 +37,7 @@ struct PlaceParams {
   double height_above_target_m = 0.1;  // wanted
   double height_search_m = 0.6;        // other levels, this far up and down, when that is not free
   double search_clearance_m = 0.1;     // of the path, beyond the vehicle's radius
-  int search_expansions_max = 3000;    // of all searches of one plan
+  int search_expansions_max = 2000;    // of all searches of one plan
   int sector_steps = 24;               // rays in a quarter turn
   double corridor_reach_m = 1.2;       // of a polytope, beyond its segment
   double corridor_height_m = 0.5;      // the same, up and down

@@ -46,6 +46,24 @@ void sample(const PredictedPath& path, double time_s, Vec3& position, Vec3& velo
 
 }  // namespace
 
+Vec3 ExpectedPath::position(double t_s, double step_s) const {
+  const auto last = positions_enu_m.size() - 1;
+  const double steps = std::max(t_s / step_s - 1.0, 0.0);
+  const auto k = std::min(static_cast<std::size_t>(steps), last);
+  if (k == last) return positions_enu_m[last];
+  const double part = steps - static_cast<double>(k);
+  return (1.0 - part) * positions_enu_m[k] + part * positions_enu_m[k + 1];
+}
+
+int ExpectedTarget::owner(int i, std::size_t k, double near_m) const {
+  const Vec3& place = paths[i].positions_enu_m[k];
+  for (int j = 0; j < i; ++j)
+    if ((place - paths[j].positions_enu_m[k]).squaredNorm() < near_m * near_m &&
+        owner(j, k, near_m) == j)
+      return j;
+  return i;
+}
+
 void update_belief(TargetBelief& belief, const TargetState& target, const Prediction* prediction,
                    const HorizonParams& params) {
   belief.count = 0;

@@ -26,12 +26,18 @@ struct ExpectedPath {
   double probability = 0.0;
   std::vector<Vec3> positions_enu_m;
   std::vector<Vec3> velocities_enu_m_s;
+
+  /// Between the z_k; the first before t_1 and the last after T_p.
+  Vec3 position(double t_s, double step_s) const;
 };
 
 /// The paths to plan for; probabilities sum to 1.
 struct ExpectedTarget {
   std::array<ExpectedPath, kIntentionCount> paths;  // the first `count`, most probable first
   int count = 0;
+
+  /// The likeliest path whose z_k is within near_m of path i's, or i itself.
+  int owner(int i, std::size_t k, double near_m) const;
 };
 
 /// Moves the believed paths to start_s by interpolation. After its end a path goes on with its last

@@ -9,15 +9,19 @@ namespace {
 
 constexpr double kInset_rad = 0.02;  // a moved waypoint lies this far inside its sector
 
-// The line of sight from z_k towards one direction of the ring.
+Vec2 turned(const Vec2& v, const Vec2& by) {
+  return {v.x() * by.x() - v.y() * by.y(), v.x() * by.y() + v.y() * by.x()};
+}
+
+// The line of sight from z_k towards the directions of its ring (unit vectors).
 class RingSight {
  public:
   RingSight(const SearchContext& context, const Vec3& target, double radius_m)
       : context_(context), target_(target), radius_m_(radius_m) {}
 
-  bool blocked(double angle_rad) const {
-    const Vec2 xy = target_.head<2>() + radius_m_ * direction_of(angle_rad);
-    return !sees(context_.map, target_, context_.surface.at(xy),
+  bool blocked(const Vec2& direction) const {
+    return !sees(context_.map, target_,
+                 context_.surface.at(target_.head<2>() + radius_m_ * direction),
                  context_.params.horizon.target_radius_m);
   }
   // True if no occupied cell is near enough to block any direction.
@@ -27,23 +31,28 @@ class RingSight {
     return context_.map.contains(target_) &&
            context_.map.occupied_distance_m(target_) - 0.9 * context_.map.resolution_m > far_m;
   }
-  // How far one can rotate from the angle towards the side (+1, −1) until sight is blocked.
-  double opening_rad(double from_rad, double side, int steps) const {
+  // How far one can rotate from the direction towards the side (+1, −1) until sight is blocked.
+  double opening_rad(Vec2 direction, double side, int steps) const {
     const double step_rad = 0.5 * kPi / steps;
-    double free_rad = 0.0;
-    for (int i = 1; i <= steps; ++i) {
-      if (!blocked(from_rad + side * i * step_rad)) {
-        free_rad = i * step_rad;
-        continue;
-      }
-      for (double half = 0.5; half > 0.2; half *= 0.5)
-        if (!blocked(from_rad + side * (free_rad + half * step_rad))) free_rad += half * step_rad;
-      break;
+    const Vec2 step = direction_of(side * step_rad);
+    for (int i = 0; i < steps; ++i) {
+      const Vec2 next = turned(direction, step);
+      if (blocked(next)) return i * step_rad + refined_rad(direction, side, step_rad);
+      direction = next;
     }
-    return free_rad;
+    return 0.5 * kPi;
   }
 
  private:
+  // The part of one step that is still free, to a quarter.
+  double refined_rad(const Vec2& direction, double side, double step_rad) const {
+    double free_rad = 0.0;
+    for (const double part : {0.5, 0.25})
+      if (!blocked(turned(direction, direction_of(side * (free_rad + part * step_rad)))))
+        free_rad += part * step_rad;
+    return free_rad;
+  }
+
   const SearchContext& context_;
   const Vec3& target_;
   double radius_m_;
@@ -62,10 +71,11 @@ bool visible_sector(const SearchContext& context, const Vec3& target_enu_m, cons
     sector = {angle_rad, 0.5 * kPi};
     return true;
   }
-  if (sight.blocked(angle_rad)) return false;
+  const Vec2 direction = direction_of(angle_rad);
+  if (sight.blocked(direction)) return false;
   const int steps = context.params.place.sector_steps;
-  const double left_rad = sight.opening_rad(angle_rad, 1.0, steps);
-  const double right_rad = sight.opening_rad(angle_rad, -1.0, steps);
+  const double left_rad = sight.opening_rad(direction, 1.0, steps);
+  const double right_rad = sight.opening_rad(direction, -1.0, steps);
   sector = {wrap_angle(angle_rad + 0.5 * (left_rad - right_rad)), 0.5 * (left_rad + right_rad)};
   return true;
 }

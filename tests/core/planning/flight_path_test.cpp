@@ -66,9 +66,9 @@ TEST_F(MakeFlightPath, StraightensAWayOnlyWhereThatIsClear) {
   world.boxes.push_back({{-1.0, -1.0, 0.0}, {1.0, 1.0, 4.0}});
   const FlatContext c(known_map(world, 0.15), 1.5);
   WaypointPath way;
-  for (double x = -2.25; x < 0.0; x += 0.15) way.points.emplace_back(x, -1.5 + 0.0 * x, 1.5);
-  for (double x = 0.0; x <= 1.5; x += 0.15) way.points.emplace_back(x, -1.5, 1.5);
-  for (double y = -1.5; y <= 1.5; y += 0.15) way.points.emplace_back(1.5, y, 1.5);
+  for (double x = -2.25; x < 0.0; x += 0.15) way.points.emplace_back(x, -1.8, 1.5);
+  for (double x = 0.0; x <= 1.8; x += 0.15) way.points.emplace_back(x, -1.8, 1.5);
+  for (double y = -1.8; y <= 1.8; y += 0.15) way.points.emplace_back(1.8, y, 1.5);
   for (int k = 1; k <= kSteps; ++k)
     way.arrival.push_back(static_cast<int>(way.points.size() - 1) * k / kSteps);
   make(c, way, 1.5);
