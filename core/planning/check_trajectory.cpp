@@ -146,7 +146,11 @@ void Checker::check_clearance() {
       fault(t >= trajectory.tail_start_s ? PlanReason::kTailUnsafe : PlanReason::kClearanceViolated,
             t);
     if (t >= duration_s) break;
-    const double free_m = clearance_m - params.vehicle_radius_m - cell_diagonal_m;
+    // The distance grid does not know of the map's edge, beyond which nothing is free.
+    const Vec3 from_low = p - map.origin_enu_m;
+    const Vec3 from_high = map.resolution_m * map.size.cast<double>() - from_low;
+    const double free_m = std::min({clearance_m - params.vehicle_radius_m - cell_diagonal_m,
+                                    from_low.minCoeff(), from_high.minCoeff()});
     t = std::min(t + time_to_move(std::max(free_m, half_cell_m), t), duration_s);
   }
 }

@@ -163,6 +163,16 @@ TEST(CheckTrajectory, RejectsObstaclesUnknownSpaceAndTheOutside) {
             PlanReason::kClearanceViolated);
 }
 
+TEST(CheckTrajectory, FindsAShortWayOutOfTheMapAndBack) {
+  // The map ends at y = 4.5 m; y rises to 4.6 m and falls again, between points that are far
+  // inside.
+  PlannedTrajectory trajectory = straight({0.0, 4.1, 1.5}, {1.0, 1.0, 0.0}, 2.0);
+  QuinticPiece& arc = trajectory.pieces[0];
+  arc.coefficients(2, 1) = -0.5;
+  trajectory.pieces[1] = make_stop_tail(state_at(arc, 2.0), {}).piece;
+  EXPECT_EQ(check(trajectory, make_map()).reason, PlanReason::kClearanceViolated);
+}
+
 TEST(CheckTrajectory, BlamesTheTailForWhatTheTailHits) {
   const PlannedTrajectory trajectory = straight(kStart, kForward, 2.0);
   const CheckResult result = check(trajectory, make_map({{{4.6, 0.0}, Cell::kOccupied}}));
