@@ -37,14 +37,15 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
   CorridorParams params{radius_m, context.params.place.corridor_reach_m,
                         context.params.place.corridor_height_m};
   resize_polytopes(workspace, corridor, path.vertices.size() - 1);
-  const double start_m = context.map.unfree_distance_m(path.vertices.front());
+  const auto allowed_m = [&](const Vec3& vertex) {
+    return std::min(radius_m, context.map.unfree_distance_m(vertex));
+  };
   bool clear = true;
   for (std::size_t i = 0; i < corridor.size(); ++i) {
-    // A start that is nearer to obstacles than allowed may be left, but not nearer to them.
-    params.vehicle_radius_m = i == 0 ? std::min(radius_m, start_m) : radius_m;
-    const bool segment_clear = decompose_segment(
-        context.map, path.vertices[i], path.vertices[i + 1], params, workspace, corridor[i]);
-    clear &= segment_clear || (i == 0 && start_m < radius_m);
+    // A place that is nearer to obstacles than allowed may be left, but not nearer to them.
+    const Vec3 &from = path.vertices[i], &to = path.vertices[i + 1];
+    params.vehicle_radius_m = std::min(allowed_m(from), allowed_m(to));
+    clear &= decompose_segment(context.map, from, to, params, workspace, corridor[i]);
   }
   return clear;
 }

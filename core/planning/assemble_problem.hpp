@@ -8,8 +8,9 @@
 
 namespace foretrack {
 
-/// Decomposes free space around every segment of the path (paper: F). False if a segment touches
-/// what the vehicle may not enter, other than a start that is blocked already.
+/// Decomposes free space around every segment of the path (paper: F). A segment that begins or
+/// ends nearer to obstacles than allowed has a polytope that comes no nearer. False if a segment
+/// touches what the vehicle may not enter.
 bool build_corridor(const SearchContext& context, const FlightPath& path,
                     CorridorWorkspace& workspace, std::vector<Polytope>& corridor);
 

@@ -38,12 +38,14 @@ void schedule(const SearchContext& context, const WaypointPath& way, double star
   }
 }
 
-// The furthest point that can be flown to straight: by doubling, then halving.
+// The furthest point that can be flown to straight: by doubling, then halving. On the way out of a
+// blocked start, the straight way must not come nearer to obstacles than it begins.
 std::size_t furthest_straight(const SearchContext& context, const WaypointPath& way,
                               std::size_t from, std::size_t last) {
+  const double required_m =
+      std::min(context.params.path_clearance_m(), context.map.unfree_distance_m(way.points[from]));
   const auto straight = [&](std::size_t to) {
-    return is_clear(context.map, way.points[from], way.points[to],
-                    context.params.path_clearance_m());
+    return is_clear(context.map, way.points[from], way.points[to], required_m);
   };
   std::size_t good = from + 1, stride = 1;
   while (good < last && straight(std::min(good + stride, last))) {
@@ -53,15 +55,6 @@ std::size_t furthest_straight(const SearchContext& context, const WaypointPath& 
   for (stride /= 2; stride >= 1 && good < last; stride /= 2)
     if (good + stride <= last && straight(good + stride)) good += stride;
   return good;
-}
-
-// From a start that is blocked, the first place that is not: the way out is one segment.
-std::size_t end_of_escape(const SearchContext& context, const WaypointPath& way) {
-  const double required_m = context.params.path_clearance_m();
-  std::size_t i = 0;
-  while (i + 1 < way.points.size() && context.map.unfree_distance_m(way.points[i]) < required_m)
-    ++i;
-  return i;
 }
 
 double time_at(const FlightPathWorkspace& w, double arc_m, double step_s, double speed_m_s) {
@@ -93,12 +86,11 @@ void make_flight_path(const SearchContext& context, const WaypointPath& way, dou
   path.times_s.assign(1, 0.0);
   const auto end_index = static_cast<std::size_t>(
       std::lower_bound(w.arc_m.begin(), w.arc_m.end(), end_m - 1e-9) - w.arc_m.begin());
-  const std::size_t escape = std::min(end_of_escape(context, way), end_index);
   for (std::size_t at = 0;
        at < end_index && static_cast<int>(path.vertices.size()) <= params.place.polytopes_max;) {
     std::size_t last = at + 1;
     while (last < end_index && w.arc_m[last + 1] - w.arc_m[at] <= longest_m) ++last;
-    at = at < escape ? escape : furthest_straight(context, way, at, last);
+    at = furthest_straight(context, way, at, last);
     path.vertices.push_back(way.points[at]);
     path.times_s.push_back(
         std::max(path.times_s.back() + kMinSegment_s, time_at(w, w.arc_m[at], step_s, speed_m_s)));

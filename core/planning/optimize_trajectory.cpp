@@ -101,6 +101,7 @@ const OptimizationResult& optimize_trajectory(OptimizerState& state,
   result.cost = report.cost;
   result.slowdowns = 0;
   result.pieces.clear();
+  result.pieces.reserve(kMaxPieces);
   if (result.status == OptimizationStatus::kNotFinite) return result;
   cost.set_trajectory(x);
   take_pieces(cost.minco(), result.pieces);

@@ -31,6 +31,7 @@ class Replan {
  public:
   Replan(PlanningState& state, const PlanInput& in, const PlanningParams& params)
       : s_(state), in_(in), params_(params), clock_(state.clock_s) {
+    if (!s_.reserved) reserve(s_);
     next().diagnostics = {};
   }
 
@@ -53,7 +54,7 @@ class Replan {
     const Vec3& z_1 = s_.expected.paths[0].positions_enu_m.front();
     const FlightSurface surface =
         choose_flight_surface(*in_.map, start_.state.position, z_1, params_);
-    const SearchContext context{*in_.map, surface, params_, wanted_distance_m()};
+    const SearchContext context = search_context(surface);
     look_ahead(context, start_.state.position, start_.state.velocity, s_.expected, in_.intention,
                clock_, s_.ahead);
     make_flight_path(context, s_.ahead.way, start_.state.velocity.norm(), s_.path_workspace,
@@ -64,8 +65,14 @@ class Replan {
     make_samples(context, s_.expected, s_.ahead, s_.path_workspace, start_.state,
                  score_decelerate(), s_.problem.samples);
     clock_.lap(PlanStage::kCorridor);
-    if (!clear) return PlanReason::kEmptyCorridor;
-    PlanReason reason = attempt(params_.optimizer);
+    // A corridor that only touches an obstacle may still hold a way: the check decides.
+    const PlanReason reason = optimize();
+    return reason != PlanReason::kOk && !clear ? PlanReason::kEmptyCorridor : reason;
+  }
+
+  // The second attempt is slower and firmer. The result is the reason why the first one failed.
+  PlanReason optimize() {
+    const PlanReason reason = attempt(params_.optimizer);
     if (reason == PlanReason::kOk) return reason;
     be_careful();
     OptimizerParams careful = params_.optimizer;
@@ -126,13 +133,15 @@ class Replan {
     const bool counts = in_.intention != nullptr && params_.horizon.intention_margins;
     return counts ? (*in_.intention)[Intention::kDecelerate].score : 0.0;
   }
-  // d*: the middle of the band, further if a deceleration is likely.
-  double wanted_distance_m() const {
+  // The ring d* is the middle of the band, which a likely deceleration narrows from below: d̂_l.
+  SearchContext search_context(const FlightSurface& surface) const {
     const PlaceParams& place = params_.place;
-    const double low_m = place.distance_kept_m() + place.distance_extra_m * score_decelerate();
-    return std::max(
-        params_.distance_wanted_m(),
-        std::min(low_m + place.ring_tolerance_m, place.distance_high_m - place.ring_tolerance_m));
+    const double low_m =
+        std::min(place.distance_kept_m() + place.distance_extra_m * score_decelerate(),
+                 place.distance_high_m);
+    const double half_band_m = 0.5 * (place.distance_high_m - low_m);
+    return {*in_.map, surface, params_, low_m + half_band_m,
+            std::max(std::min(place.ring_tolerance_m, half_band_m), 0.5 * in_.map->resolution_m)};
   }
 
   PlanReason attempt(const OptimizerParams& optimizer) {

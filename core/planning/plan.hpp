@@ -49,6 +49,7 @@ struct PlanningState {
   double lost_since_s = -1.0;  // < 0: not lost
   double search_turn = 1.0;    // +1: the camera of a search turns to the left
   bool seen_before = false;    // there is a belief to search by
+  bool reserved = false;       // the memory that later plans need is there
 
   TargetBelief belief;
   ExpectedTarget expected;
@@ -60,6 +61,9 @@ struct PlanningState {
   OptimizerState optimizer;
   AimWorkspace aim;
 };
+
+/// Takes the memory that plans need; the first plan() does it.
+void reserve(PlanningState& state);
 
 /// One replan. The result lives in `state` until the next call but one.
 /// Fresh and searching trajectories passed the check; a fresh one with the reason kTooNearTarget

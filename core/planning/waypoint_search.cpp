@@ -24,7 +24,7 @@ class RingSearch {
         target_(target),
         skip_m_(context.params.horizon.target_radius_m),
         wanted_m_(context.wanted_distance_m),
-        tolerance_m_(context.params.place.ring_tolerance_m),
+        tolerance_m_(context.ring_tolerance_m),
         too_near_m_(context.params.check.target_distance_min_m + 0.2),
         required_cm_(
             static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {}

@@ -35,7 +35,8 @@ struct SearchContext {
   const GridMap& map;
   const FlightSurface& surface;
   const PlanningParams& params;
-  double wanted_distance_m = 2.0;  // radius of the ring
+  double wanted_distance_m = 2.0;  // radius of the ring around the target
+  double ring_tolerance_m = 0.2;   // its half width
 };
 
 enum class WaypointKind : std::uint8_t {

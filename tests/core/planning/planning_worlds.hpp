@@ -47,7 +47,7 @@ struct FlatContext {
   GridMap map;
   FlightSurface surface;
   PlanningParams params;
-  SearchContext context() const { return {map, surface, params, 2.0}; }
+  SearchContext context() const { return {map, surface, params, 2.0, 0.2}; }
 };
 
 }  // namespace foretrack::testing
