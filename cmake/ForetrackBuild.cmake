@@ -26,7 +26,7 @@ target_include_directories(foretrack_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_link_libraries(foretrack_options INTERFACE Eigen3::Eigen)
 if(FORETRACK_SANITIZE)
   target_compile_options(foretrack_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g -O1)
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1 -O1)
   target_link_options(foretrack_options INTERFACE -fsanitize=address,undefined)
 endif()
 
