@@ -8,7 +8,7 @@
 namespace foretrack {
 
 struct CheckParams {
-  double vehicle_radius_m = 0.35;             // least distance to occupied or unknown space
+  double vehicle_radius_m = 0.35;            // least distance to occupied or unknown space
   double escape_reach_m = 1.0;               // how far a way out of too near may go
   double target_distance_min_m = 0.8;        // horizontal, to the predicted path; 0: not checked
   double position_tolerance_m = 0.02;        // joints, and the start against what is flown

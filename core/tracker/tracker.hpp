@@ -1,5 +1,5 @@
-// One step through all stages, in lock-step and without DDS: what the benchmark, an embedder and the lock-step flight
-// call. The stages meet here and nowhere else.
+// One step through all stages, in lock-step and without DDS: what the benchmark, an embedder and
+// the lock-step flight call. The stages meet here and nowhere else.
 #pragma once
 
 #include "core/mapping/update_map.hpp"
@@ -57,7 +57,8 @@ struct TrackerOutput {
   GateResult gate;
 };
 
-/// perceive → update map → predict → plan → gate. Call it at the gate's rate (100 Hz). Precondition: now_s grows.
+/// perceive → update map → predict → plan → gate. Call it at the gate's rate (100 Hz).
+/// Precondition: now_s grows.
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params);
 
 }  // namespace foretrack

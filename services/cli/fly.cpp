@@ -68,7 +68,7 @@ int fly_with(const FlyOptions& o) {
     if (o.plot) plot_flight(o.out);
   }
   if (o.json)
-    fmt::print("{}", json_of(flight.metrics));
+    fmt::print("{}", json_of(flight.metrics, hash));
   else
     print_summary(flight.metrics, hash, o.out);
   return 0;

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "services/flight/flight_events.hpp"
@@ -92,7 +93,7 @@ struct Metrics {
 /// Definitions: docs/metrics.md. Precondition: rows at equal steps. plan_ms stays empty.
 Metrics metrics_of(std::span<const FlightRow> rows, const MetricParams& params);
 
-/// As JSON, indented.
-std::string json_of(const Metrics& metrics);
+/// As JSON, indented; with the hash of the flight's log if there is one.
+std::string json_of(const Metrics& metrics, std::string_view log_sha256 = {});
 
 }  // namespace foretrack

@@ -79,7 +79,7 @@ Json foresight(const Metrics& m) {
 
 }  // namespace
 
-std::string json_of(const Metrics& m) {
+std::string json_of(const Metrics& m, std::string_view log_sha256) {
   Json json = {{"duration_s", m.duration_s}};
   json.update(tracking(m));
   json.update(safety(m));
@@ -89,6 +89,7 @@ std::string json_of(const Metrics& m) {
                      {"p95", m.plan_ms.p95},
                      {"p99", m.plan_ms.p99},
                      {"max", m.plan_ms.max}};
+  if (!log_sha256.empty()) json["log_sha256"] = log_sha256;
   return json.dump(2) + "\n";
 }
 

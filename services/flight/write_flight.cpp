@@ -76,7 +76,7 @@ std::string write_flight(const FlightResult& flight, const MetricParams& params,
   const std::string hash = sha256_of(log);
   write_file(folder / "log.csv", log);
   write_file(folder / "log.sha256", hash + "  log.csv\n");
-  write_file(folder / "metrics.json", json_of(flight.metrics));
+  write_file(folder / "metrics.json", json_of(flight.metrics, hash));
   write_file(folder / "scenario.json", scenario_json_of(flight, params));
   return hash;
 }

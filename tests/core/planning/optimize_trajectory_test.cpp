@@ -7,8 +7,8 @@
 #include "core/planning/check_trajectory.hpp"
 #include "core/planning/polynomial.hpp"
 #include "core/planning/stop_tail.hpp"
-#include "tests/support/count_allocations.hpp"
 #include "tests/core/planning/random_problem.hpp"
+#include "tests/support/count_allocations.hpp"
 
 namespace foretrack {
 namespace {

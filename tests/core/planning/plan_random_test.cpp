@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "tests/support/count_allocations.hpp"
 #include "tests/core/planning/plan_loop.hpp"
 #include "tests/core/planning/planning_worlds.hpp"
+#include "tests/support/count_allocations.hpp"
 
 namespace foretrack {
 namespace {

@@ -240,7 +240,8 @@ TEST(Metrics, WilsonIntervalsAreThosePublished) {
 TEST(Metrics, JsonHoldsTheNumbersAndNullForInfinity) {
   auto rows = good_flight(3.0);
   for (auto& r : rows) r.clearance_m = std::numeric_limits<double>::infinity();
-  const auto json = nlohmann::json::parse(json_of(metrics_of(rows, {})));
+  const auto json = nlohmann::json::parse(json_of(metrics_of(rows, {}), "abc"));
+  EXPECT_EQ(json["log_sha256"], "abc");
   EXPECT_EQ(json["failure_rate"], 0.0);
   EXPECT_TRUE(json["min_clearance_m"].is_null());
   EXPECT_TRUE(json["plan_ms"].contains("p99"));
