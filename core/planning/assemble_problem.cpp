@@ -8,9 +8,51 @@
 namespace foretrack {
 namespace {
 
+constexpr double kHiddenCost = 1.0;      // m², of not seeing the end of a path
+constexpr double kGoalShiftCost = 0.05;  // of a squared metre away from the path's end
+constexpr double kGoalStep_m = 0.25;
+constexpr int kGoalSteps = 4;
 constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
 constexpr double kBrakingShare = 0.5;    // of the greatest acceleration, for the room to stop
 constexpr std::array<double, 3> kGoalSpeeds = {1.0, 0.6, 0.3};  // parts of the target's speed tried
+
+// What a goal costs in expectation over the target's paths: squared metres outside the ring, and a
+// fixed price of not seeing.
+double expected_cost(const SearchContext& context, const ExpectedTarget& target, const Vec3& goal) {
+  double cost = 0.0;
+  for (int i = 0; i < target.count; ++i) {
+    const Vec3& z = target.paths[i].positions_enu_m.back();
+    const double off_m = std::max(
+        0.0, std::abs(distance_xy(goal, z) - context.wanted_distance_m) - context.ring_tolerance_m);
+    const bool seen = sees(context.map, z, goal, context.params.horizon.target_radius_m);
+    cost += target.paths[i].probability * (off_m * off_m + (seen ? 0.0 : kHiddenCost));
+  }
+  return cost;
+}
+
+// The best of a grid around the path's end, within the last polytope.
+Vec3 choose_goal(const SearchContext& context, const ExpectedTarget& target, const Vec3& end,
+                 const Polytope& room) {
+  Vec3 best = end;
+  if (target.count == 1) return best;
+  double least = expected_cost(context, target, end);
+  for (int iy = -kGoalSteps; iy <= kGoalSteps; ++iy)
+    for (int ix = -kGoalSteps; ix <= kGoalSteps; ++ix) {
+      const Vec3 goal = end + kGoalStep_m * Vec3(ix, iy, 0.0);
+      if (!room.contains(goal, -context.params.place.search_clearance_m)) continue;
+      const double cost =
+          expected_cost(context, target, goal) + kGoalShiftCost * (goal - end).squaredNorm();
+      if (cost < least) least = cost, best = goal;
+    }
+  return best;
+}
+
+Vec3 mean_velocity(const ExpectedTarget& target) {
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i < target.count; ++i)
+    mean += target.paths[i].probability * target.paths[i].velocities_enu_m_s.back();
+  return mean;
+}
 
 // The target's velocity at the horizon, as much of it as leaves room to stop after the goal.
 Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& target_velocity) {
@@ -51,11 +93,11 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
 }
 
 void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,
-                      const ExpectedPath& target, OptimizationProblem& problem) {
+                      const ExpectedTarget& target, OptimizationProblem& problem) {
   problem.start = start.state;
-  problem.goal.position = path.vertices.back();
-  problem.goal.velocity =
-      goal_velocity(context, path.vertices.back(), target.velocities_enu_m_s.back());
+  problem.goal.position =
+      choose_goal(context, target, path.vertices.back(), problem.corridor.back());
+  problem.goal.velocity = goal_velocity(context, problem.goal.position, mean_velocity(target));
   problem.goal.acceleration = Vec3::Zero();
   problem.inner_waypoints.clear();
   problem.durations_s.clear();
@@ -69,8 +111,9 @@ void guess_trajectory(const SearchContext& context, const FlightPath& path, cons
     }
   }
   problem.min_total_duration_s =
-      context.params.horizon.step_s * static_cast<double>(target.positions_enu_m.size());
-  problem.height_above_target_m = context.surface.level_z_m - target.positions_enu_m.front().z();
+      context.params.horizon.step_s * static_cast<double>(target.paths[0].positions_enu_m.size());
+  problem.height_above_target_m =
+      context.surface.level_z_m - target.paths[0].positions_enu_m.front().z();
   problem.limits = context.params.limits;
 }
 

@@ -15,9 +15,10 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
                     CorridorWorkspace& workspace, std::vector<Polytope>& corridor);
 
 /// First guess (waypoints at the path's vertices and in the middle of its segments) and boundary
-/// states: the plan ends at the path's end with the target's velocity there, as far as there is
-/// room to stop. Leaves corridor and samples as they are.
+/// states: the plan ends near the path's end, in its last polytope, where distance and sight to the
+/// ends of the target's paths are best in expectation, with the target's mean velocity there as far
+/// as there is room to stop. Reads the corridor; leaves it and the samples as they are.
 void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,
-                      const ExpectedPath& target, OptimizationProblem& problem);
+                      const ExpectedTarget& target, OptimizationProblem& problem);
 
 }  // namespace foretrack

@@ -61,7 +61,7 @@ class Replan {
                      s_.path);
     clock_.lap(PlanStage::kPath);
     const bool clear = build_corridor(context, s_.path, s_.corridor, s_.problem.corridor);
-    guess_trajectory(context, s_.path, start_, s_.expected.paths[0], s_.problem);
+    guess_trajectory(context, s_.path, start_, s_.expected, s_.problem);
     make_samples(context, s_.expected, s_.ahead, s_.path_workspace, start_.state,
                  score_decelerate(), s_.problem.samples);
     clock_.lap(PlanStage::kCorridor);

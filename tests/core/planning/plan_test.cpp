@@ -184,6 +184,31 @@ TEST_F(Corner, EachTrajectoryJoinsTheOneBefore) {
   EXPECT_LT(flight.worst_velocity_jump_m_s, 1e-6);
 }
 
+TEST_F(Corner, HedgingKeepsNearerToThePathThatIsLessLikely) {
+  // The target is at the corner; going on is more likely than turning.
+  const double now_s = 4.9;
+  const Prediction prediction = predicted(now_s);
+  const auto excess_m = [&](bool hedging) {
+    PlanningState state;
+    params_.horizon.hedging = hedging;
+    VehicleState vehicle = hovering({walked(now_s, true).x() - 2.0, 0.0, 1.5}, 0.0, now_s);
+    vehicle.velocity_enu_m_s = {kSpeed_m_s, 0.0, 0.0};
+    PlanInput input =
+        input_of(map_, vehicle, target_at(walked(now_s, true), {kSpeed_m_s, 0, 0}, now_s));
+    input.prediction = &prediction;
+    const PlannedTrajectory& t = plan(state, input, params_).trajectory;
+    EXPECT_EQ(t.status, PlanStatus::kFresh);
+    double sum_m = 0.0;
+    for (const PredictedState& s : prediction.paths[1].states) {
+      const double d_m = distance_xy(t.position(now_s + s.time_s - t.start_s), s.position_enu_m);
+      sum_m += std::max(0.0, d_m - params_.place.distance_high_m) +
+               std::max(0.0, params_.place.distance_low_m - d_m);
+    }
+    return sum_m;
+  };
+  EXPECT_LT(excess_m(true), 0.5 * excess_m(false));
+}
+
 TEST_F(Corner, TheTurnScoreWidensTheMarginOnItsSide) {
   const double now_s = 3.6;
   const auto bisector_rad = [&](double left_score) {
