@@ -68,7 +68,7 @@ void sweep_columns(const GridMap& map, bool unknown_too, const Reach& reach,
     for (int i = 0; i < layer; ++i) {
       const std::int16_t below = z > 0 ? d[i - layer] : far;
       const auto next = static_cast<std::int16_t>(below < far ? below + 1 : far);
-      d[i] = (in[i] == free) | (in[i] == unknown) ? next : std::int16_t{0};
+      d[i] = (in[i] == free || in[i] == unknown) ? next : std::int16_t{0};
     }
   }
   for (int z = nz - 2; z >= 0; --z) {
