@@ -1,0 +1,77 @@
+// Camera images → body landmarks of the person who is followed (paper §III.A: BlazePose).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/common/image.hpp"
+#include "core/common/target.hpp"
+#include "core/perception/image_region.hpp"
+#include "core/perception/params.hpp"
+#include "core/perception/pose_network.hpp"
+
+namespace foretrack {
+
+/// A person as the network sees one: landmarks in the pixels of the whole image, and in metres from
+/// the middle of the hips with the camera's axes, for a person of kNetworkHeight_m.
+struct PersonPose {
+  std::array<Landmark, kLandmarkCount> landmarks{};
+  double score = 0.0;   // [0, 1]: that there is a person in the region
+  ImageRegion region;   // that the landmarks were looked for in
+  ImageRegion tracked;  // where to look for them in the next image
+};
+inline constexpr double kNetworkHeight_m = 1.70;
+
+enum class PoseStatus : std::uint8_t {
+  kTracked,    // found in the region that the last image gave
+  kDetected,   // found by the detector, and chosen
+  kNobody,     // looked everywhere, and nobody is there (or nobody within the gate)
+  kNotLooked,  // lost, and the detector waits for its turn
+  kBadImage,   // no pixels, or their number is not width × height
+};
+std::string_view to_string(PoseStatus status);
+
+struct PoseResult {
+  PoseStatus status = PoseStatus::kBadImage;
+  PersonPose person;       // valid if found()
+  int candidates = 0;      // people that the detector saw, if it ran
+  bool ambiguous = false;  // several of them could be the chosen one
+  bool found() const { return status == PoseStatus::kTracked || status == PoseStatus::kDetected; }
+};
+
+/// Where the chosen person should be in this image, e.g. as the filter predicts.
+struct ExpectedPlace {
+  Vec2 torso_px = Vec2::Zero();
+  double gate_px = 0.0;  // farther away it is somebody else
+};
+
+/// What is kept from image to image. A plain value; the caller owns it.
+struct PoseState {
+  std::optional<ImageRegion> region;  // none: lost
+  Vec2 torso_px = Vec2::Zero();       // of the chosen person, when last seen
+  double seen_s = -1e9;
+  double looked_s = -1e9;  // when the detector ran last
+};
+
+/// Landmarks of the chosen person: in the region from the last image while they are tracked, by the
+/// detector (at most once in detector_period_s) otherwise. The first time, the most certain person
+/// is chosen; then whoever is nearest to where the chosen one is expected, within the gate. Cost of
+/// a tracked image: about 12 ms with the lite model; with the detector 30 ms more. Stamps must
+/// grow; one that goes back starts anew.
+PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_s,
+                          PoseNetwork& network, const PerceptionParams& params,
+                          const std::optional<ExpectedPlace>& expected = {});
+
+/// Everybody in one image that the detector finds, the most certain first.
+std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,
+                                    const PerceptionParams& params);
+
+/// As perceive() takes it: the joints are scaled to the height that the parameters say landmarks
+/// are of. Precondition: result.found().
+TargetObservation to_observation(const PersonPose& person, double stamp_s,
+                                 const CameraModel& camera, const PerceptionParams& params);
+
+}  // namespace foretrack
