@@ -4,6 +4,20 @@ namespace foretrack {
 
 ParamRows rows(PerceptionParams& p) {
   return {
+      {"model_complexity", &p.model_complexity, "1", 0, 2,
+       "of the pose network: 0 lite, 1 full, 2 heavy"},
+      {"min_detection_score", &p.min_detection_score, "1", 0.05, 1.0,
+       "people whom the detector is less certain of are nobody"},
+      {"min_pose_score", &p.min_pose_score, "1", 0.05, 1.0,
+       "regions with a smaller probability of a person are empty"},
+      {"detector_period_s", &p.detector_period_s, "s", 0.0, 10.0,
+       "while nobody is tracked, the detector runs no more often"},
+      {"jump_ratio", &p.jump_ratio, "1", 0.05, 2.0,
+       "a tracked torso that jumps farther in one image, in sizes of the body, is somebody else"},
+      {"choice_gate_ratio", &p.choice_gate_ratio, "1", 0.05, 10.0,
+       "a lost person is found again within so many sizes of the body, more with each second"},
+      {"choice_memory_s", &p.choice_memory_s, "s", 0.0, 60.0,
+       "after this time anybody may be the person"},
       {"target_height_m", &p.target_height_m, "m", 0.5, 2.5, "height of the followed person"},
       {"landmark_height_m", &p.landmark_height_m, "m", 0.5, 2.5,
        "height that the landmarks' source assumes of everybody (BlazePose: 1.70)"},

@@ -1,6 +1,81 @@
 #include "core/perception/perceive_image.hpp"
 
+#include <algorithm>
+
+#include "core/perception/detect_people.hpp"
+
 namespace foretrack {
+namespace {
+
+constexpr int kMostSide_px = 16384;
+
+bool is_picture(const RgbImage& image) {
+  const auto fits = [](int side) { return side >= 1 && side <= kMostSide_px; };
+  return fits(image.width_px) && fits(image.height_px) &&
+         image.rgb.size() == 3 * static_cast<std::size_t>(image.width_px) *
+                                 static_cast<std::size_t>(image.height_px);
+}
+
+void remember(PoseState& state, const PersonPose& person, double stamp_s) {
+  state.region = person.tracked;
+  state.torso_px = person.torso_px();
+  state.size_px = person.tracked.size_px;
+  state.seen_s = stamp_s;
+}
+
+// Where the chosen person may be; none: anybody may be chosen.
+std::optional<ExpectedPlace> place_of_chosen(const PoseState& state, double stamp_s,
+                                             const PerceptionParams& params,
+                                             const std::optional<ExpectedPlace>& expected) {
+  if (expected) return expected;
+  const double age_s = stamp_s - state.seen_s;
+  if (age_s > params.choice_memory_s) return std::nullopt;
+  return ExpectedPlace{state.torso_px, state.size_px * params.choice_gate_ratio * (1.0 + age_s)};
+}
+
+// Middle of the torso: halfway between hips and shoulders.
+Vec2 torso_of(const Detection& d) {
+  return 0.5 * (d.points_px[0] + d.points_px[2]);
+}
+
+struct Choice {
+  const Detection* person = nullptr;
+  int possible = 0;
+};
+
+Choice choose(const std::vector<Detection>& people, const std::optional<ExpectedPlace>& place) {
+  Choice choice;
+  if (!place) return {people.empty() ? nullptr : &people.front(), static_cast<int>(people.size())};
+  double least = place->gate_px;
+  for (const Detection& person : people) {
+    const double distance = (torso_of(person) - place->torso_px).norm();
+    if (distance > place->gate_px) continue;
+    ++choice.possible;
+    if (distance <= least) least = distance, choice.person = &person;
+  }
+  return choice;
+}
+
+void look_everywhere(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
+                     const PerceptionParams& params, const std::optional<ExpectedPlace>& place,
+                     PoseResult& result) {
+  state.looked_s = stamp_s;
+  const auto people = detect_people(image, *network.detector, params.min_detection_score);
+  const Choice choice = choose(people, place);
+  result.status = PoseStatus::kNobody;
+  result.candidates = static_cast<int>(people.size());
+  result.ambiguous = choice.possible > 1;
+  if (!choice.person) return;
+  const auto& points = choice.person->points_px;
+  const auto found = find_landmarks(image, region_of_body(points[0], points[1]), *network.landmarks,
+                                    params.min_pose_score);
+  if (!found) return;
+  result.status = PoseStatus::kDetected;
+  result.person = *found;
+  remember(state, *found, stamp_s);
+}
+
+}  // namespace
 
 std::string_view to_string(PoseStatus status) {
   constexpr std::array<std::string_view, 5> names = {"tracked", "detected", "nobody", "not looked",
@@ -8,13 +83,40 @@ std::string_view to_string(PoseStatus status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
-PoseResult perceive_image(PoseState&, const RgbImage&, double, PoseNetwork&,
-                          const PerceptionParams&, const std::optional<ExpectedPlace>&) {
-  return {};
+PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_s,
+                          PoseNetwork& network, const PerceptionParams& params,
+                          const std::optional<ExpectedPlace>& expected) {
+  PoseResult result;
+  if (!is_picture(image)) return result;
+  if (stamp_s < std::max(state.seen_s, state.looked_s)) state = {};
+  if (state.region) {
+    const auto found =
+        find_landmarks(image, *state.region, *network.landmarks, params.min_pose_score);
+    const double jump_px = params.jump_ratio * state.size_px;
+    if (found && (found->torso_px() - state.torso_px).norm() <= jump_px) {
+      result.status = PoseStatus::kTracked;
+      result.person = *found;
+      remember(state, *found, stamp_s);
+      return result;
+    }
+    state.region.reset();
+  }
+  result.status = PoseStatus::kNotLooked;
+  if (stamp_s - state.looked_s < params.detector_period_s) return result;
+  const auto place = place_of_chosen(state, stamp_s, params, expected);
+  look_everywhere(state, image, stamp_s, network, params, place, result);
+  return result;
 }
 
-std::vector<PersonPose> find_people(const RgbImage&, PoseNetwork&, const PerceptionParams&) {
-  return {};
+std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,
+                                    const PerceptionParams& params) {
+  std::vector<PersonPose> people;
+  if (!is_picture(image)) return people;
+  for (const auto& d : detect_people(image, *network.detector, params.min_detection_score))
+    if (const auto found = find_landmarks(image, region_of_body(d.points_px[0], d.points_px[1]),
+                                          *network.landmarks, params.min_pose_score))
+      people.push_back(*found);
+  return people;
 }
 
 TargetObservation to_observation(const PersonPose& person, double stamp_s,

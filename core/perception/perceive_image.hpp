@@ -9,21 +9,11 @@
 
 #include "core/common/image.hpp"
 #include "core/common/target.hpp"
-#include "core/perception/image_region.hpp"
+#include "core/perception/find_landmarks.hpp"
 #include "core/perception/params.hpp"
 #include "core/perception/pose_network.hpp"
 
 namespace foretrack {
-
-/// A person as the network sees one: landmarks in the pixels of the whole image, and in metres from
-/// the middle of the hips with the camera's axes, for a person of kNetworkHeight_m.
-struct PersonPose {
-  std::array<Landmark, kLandmarkCount> landmarks{};
-  double score = 0.0;   // [0, 1]: that there is a person in the region
-  ImageRegion region;   // that the landmarks were looked for in
-  ImageRegion tracked;  // where to look for them in the next image
-};
-inline constexpr double kNetworkHeight_m = 1.70;
 
 enum class PoseStatus : std::uint8_t {
   kTracked,    // found in the region that the last image gave
@@ -52,6 +42,7 @@ struct ExpectedPlace {
 struct PoseState {
   std::optional<ImageRegion> region;  // none: lost
   Vec2 torso_px = Vec2::Zero();       // of the chosen person, when last seen
+  double size_px = 0.0;               // of their region then
   double seen_s = -1e9;
   double looked_s = -1e9;  // when the detector ran last
 };

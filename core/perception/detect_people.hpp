@@ -1,0 +1,28 @@
+// Where there are people in an image: BlazePose's detector.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/common/image.hpp"
+#include "core/network/inference.hpp"
+#include "core/perception/image_region.hpp"
+
+namespace foretrack {
+
+struct Detection {
+  double score = 0.0;
+  Vec2 box_min_px = Vec2::Zero(), box_max_px = Vec2::Zero();  // of the face
+  /// Middle of the hips, a point that says size and angle of the whole body; the same of its upper
+  /// part.
+  std::array<Vec2, 4> points_px{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+};
+
+/// Everybody, the most certain first; scores at least min_score. Boxes that overlap (intersection
+/// over union above 0.3) are averaged by their scores. Cost: about 30 ms.
+std::vector<Detection> detect_people(const RgbImage& image, Inference& detector, double min_score);
+
+/// The square around a body from its middle to a point that is half its size away.
+ImageRegion region_of_body(const Vec2& middle_px, const Vec2& end_px);
+
+}  // namespace foretrack

