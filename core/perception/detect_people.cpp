@@ -111,7 +111,7 @@ std::vector<Detection> detect_people(const RgbImage& image, Inference& detector,
   ImageRegion whole;
   whole.centre_px = {0.5 * image.width_px, 0.5 * image.height_px};
   whole.size_px = std::max(image.width_px, image.height_px);
-  sample_region(image, whole, kSide, 2.0f, -1.0f, detector.input());
+  sample_region(image, whole, Border::kBlack, kSide, 2.0f, -1.0f, detector.input());
   detector.run();
   return suppress(decode_all(detector.output(0), detector.output(1), whole, min_score));
 }

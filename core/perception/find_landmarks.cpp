@@ -55,7 +55,7 @@ Vec2 PersonPose::torso_px() const {
 std::optional<PersonPose> find_landmarks(const RgbImage& image, const ImageRegion& region,
                                          Inference& network, double min_score) {
   if (!(region.size_px >= kLeastRegion_px) || !region.centre_px.allFinite()) return std::nullopt;
-  sample_region(image, region, kSide, 1.0f, 0.0f, network.input());
+  sample_region(image, region, Border::kRepeated, kSide, 1.0f, 0.0f, network.input());
   network.run();
   const auto marks = network.output(0), flag = network.output(1), heat = network.output(2),
              world = network.output(3);

@@ -7,13 +7,15 @@ namespace {
 
 struct Sampler {
   const RgbImage& image;
+  Border border;
   float level, offset;
 
   // Column and row in pixels, where the middle of the first pixel is at 0.5.
   void at(float column, float row, float* out) const {
     const auto width = static_cast<float>(image.width_px);
     const auto height = static_cast<float>(image.height_px);
-    if (!(column >= 0.0f && row >= 0.0f && column <= width && row <= height)) {
+    if (border == Border::kBlack &&
+        !(column >= 0.0f && row >= 0.0f && column <= width && row <= height)) {
       out[0] = out[1] = out[2] = offset;
       return;
     }
@@ -35,9 +37,9 @@ struct Sampler {
 
 }  // namespace
 
-void sample_region(const RgbImage& image, const ImageRegion& region, int side, float level,
-                   float offset, std::span<float> out) {
-  const Sampler sampler{image, level / 255.0f, offset};
+void sample_region(const RgbImage& image, const ImageRegion& region, Border border, int side,
+                   float level, float offset, std::span<float> out) {
+  const Sampler sampler{image, border, level / 255.0f, offset};
   const double step = 1.0 / side;
   const Vec2 first = region.image_px({0.5 * step, 0.5 * step});
   const Vec2 across = region.image_px({1.5 * step, 0.5 * step}) - first;

@@ -8,9 +8,11 @@
 
 namespace foretrack {
 
+enum class Border : std::uint8_t { kBlack, kRepeated };  // what is seen outside the image
+
 /// side × side pixels of three floats, rows from the region's top: level × (byte / 255) + offset.
-/// Bilinear between pixel centres; black outside the image. Cost: 1 ms for 256 × 256.
-void sample_region(const RgbImage& image, const ImageRegion& region, int side, float level,
-                   float offset, std::span<float> out);
+/// Bilinear between pixel centres. Cost: 1 ms for 256 × 256.
+void sample_region(const RgbImage& image, const ImageRegion& region, Border border, int side,
+                   float level, float offset, std::span<float> out);
 
 }  // namespace foretrack
