@@ -1,5 +1,5 @@
 // foretrack demo: a flight in simulation, every service in its own process.
-#include "services/ground_station/demo.hpp"
+#include "services/operator/demo.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include "services/common/options.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
-#include "services/ground_station/view.hpp"
+#include "services/operator/view.hpp"
 #include "services/launch/domain.hpp"
 
 namespace foretrack {

@@ -7,9 +7,9 @@
 #include "services/cli/commands.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
-#include "services/ground_station/diagnose.hpp"
-#include "services/ground_station/installation.hpp"
-#include "services/ground_station/listener.hpp"
+#include "services/operator/diagnose.hpp"
+#include "services/operator/installation.hpp"
+#include "services/operator/listener.hpp"
 
 namespace foretrack {
 namespace {

@@ -7,8 +7,8 @@
 #include "services/cli/commands.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
-#include "services/ground_station/listener.hpp"
-#include "services/ground_station/view.hpp"
+#include "services/operator/listener.hpp"
+#include "services/operator/view.hpp"
 
 namespace foretrack {
 namespace {

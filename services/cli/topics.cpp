@@ -9,8 +9,8 @@
 #include "services/cli/commands.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
-#include "services/ground_station/topic_watch.hpp"
-#include "services/ground_station/view.hpp"
+#include "services/operator/topic_watch.hpp"
+#include "services/operator/view.hpp"
 
 namespace foretrack {
 namespace {

@@ -1,10 +1,10 @@
-#include "services/ground_station/listener.hpp"
+#include "services/operator/listener.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
-#include "services/ground_station/topic_watch.hpp"
+#include "services/operator/topic_watch.hpp"
 
 namespace foretrack {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/ground_station/topic_watch.hpp"
+#include "services/operator/topic_watch.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "services/ground_station/words.hpp"
+#include "services/operator/words.hpp"
 
 #include <array>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "services/ground_station/diagnose.hpp"
+#include "services/operator/diagnose.hpp"
 
 namespace foretrack {
 

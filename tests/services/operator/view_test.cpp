@@ -1,11 +1,11 @@
-#include "services/ground_station/view.hpp"
+#include "services/operator/view.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "services/ground_station/rate.hpp"
+#include "services/common/rate.hpp"
 
 namespace foretrack {
 namespace {

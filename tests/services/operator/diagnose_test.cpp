@@ -1,4 +1,4 @@
-#include "services/ground_station/diagnose.hpp"
+#include "services/operator/diagnose.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

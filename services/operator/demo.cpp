@@ -1,4 +1,4 @@
-#include "services/ground_station/demo.hpp"
+#include "services/operator/demo.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -12,9 +12,9 @@
 #include "services/config/load_params.hpp"
 #include "services/flight/fly.hpp"
 #include "services/flight/write_flight.hpp"
-#include "services/ground_station/diagnose.hpp"
-#include "services/ground_station/summary.hpp"
-#include "services/ground_station/view.hpp"
+#include "services/operator/diagnose.hpp"
+#include "services/operator/summary.hpp"
+#include "services/operator/view.hpp"
 #include "services/launch/resources.hpp"
 
 namespace foretrack {

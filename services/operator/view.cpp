@@ -1,4 +1,4 @@
-#include "services/ground_station/view.hpp"
+#include "services/operator/view.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "services/ground_station/words.hpp"
+#include "services/operator/words.hpp"
 
 namespace foretrack {
 namespace {

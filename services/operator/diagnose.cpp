@@ -1,11 +1,11 @@
-#include "services/ground_station/diagnose.hpp"
+#include "services/operator/diagnose.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
 
-#include "services/ground_station/words.hpp"
+#include "services/operator/words.hpp"
 
 namespace foretrack {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/ground_station/picture.hpp"
+#include "services/operator/picture.hpp"
 
 #include <cmath>
 

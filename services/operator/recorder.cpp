@@ -1,4 +1,4 @@
-#include "services/ground_station/recorder.hpp"
+#include "services/operator/recorder.hpp"
 
 #include <algorithm>
 #include <limits>

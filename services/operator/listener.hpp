@@ -14,8 +14,8 @@
 #include "services/common/node.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
-#include "services/ground_station/picture.hpp"
-#include "services/ground_station/rate.hpp"
+#include "services/operator/picture.hpp"
+#include "services/common/rate.hpp"
 
 namespace foretrack {
 

@@ -1,4 +1,4 @@
-#include "services/ground_station/summary.hpp"
+#include "services/operator/summary.hpp"
 
 #include <fmt/format.h>
 

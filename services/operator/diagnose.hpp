@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/ground_station/picture.hpp"
+#include "services/operator/picture.hpp"
 
 namespace foretrack {
 

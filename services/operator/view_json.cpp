@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "services/ground_station/view.hpp"
-#include "services/ground_station/words.hpp"
+#include "services/operator/view.hpp"
+#include "services/operator/words.hpp"
 
 namespace foretrack {
 namespace {

@@ -1,10 +1,10 @@
-#include "services/ground_station/recorder.hpp"
+#include "services/operator/recorder.hpp"
 
 #include <gtest/gtest.h>
 
 #include "services/convert/safety.hpp"
 #include "services/convert/vehicle.hpp"
-#include "services/ground_station/summary.hpp"
+#include "services/operator/summary.hpp"
 
 namespace foretrack {
 namespace {

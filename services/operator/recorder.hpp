@@ -8,7 +8,7 @@
 #include "core/common/vehicle.hpp"
 #include "core/simulator/scenario.hpp"
 #include "services/flight/flight_row.hpp"
-#include "services/ground_station/listener.hpp"
+#include "services/operator/listener.hpp"
 
 namespace foretrack {
 

@@ -1,4 +1,4 @@
-#include "services/ground_station/installation.hpp"
+#include "services/operator/installation.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

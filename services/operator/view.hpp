@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "services/ground_station/picture.hpp"
+#include "services/operator/picture.hpp"
 
 namespace foretrack {
 

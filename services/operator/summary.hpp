@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "services/flight/metrics.hpp"
-#include "services/ground_station/recorder.hpp"
+#include "services/operator/recorder.hpp"
 
 namespace foretrack {
 
