@@ -7,7 +7,9 @@ std::vector<Command> operator_commands() {
           {"up", "the simulator and every service, each as its own process", prepare_up},
           {"monitor", "one vehicle, live, in the terminal", prepare_monitor},
           {"topics", "every topic: rate, age, writers, readers, mismatches", prepare_topics},
-          {"doctor", "why the vehicle does not move", prepare_doctor}};
+          {"doctor", "why the vehicle does not move", prepare_doctor},
+          {"station", "the ground station: watch, record and command from a browser",
+           prepare_station}};
 }
 
 }  // namespace foretrack

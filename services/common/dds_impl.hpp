@@ -41,6 +41,7 @@ class DiscoveryWatch : public dds::DomainParticipantListener {
   void expect(const std::string& topic, const TypeOps& ops);
   std::vector<ForeignEndpoint> foreign() const;
   std::vector<ForeignEndpoint> all() const;
+  std::atomic<std::uint64_t> changes = 0;
 
   void on_publisher_discovery(dds::DomainParticipant*,
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;

@@ -16,8 +16,13 @@ constexpr std::size_t kMaxSeen = 4096;
 
 template <class Info>
 ForeignEndpoint describe(const Info& info, bool writes) {
-  return {info.topicName().to_string(), info.typeName().to_string(),
-          info.topicKind() == eprosima::fastrtps::rtps::WITH_KEY, writes, ""};
+  return {info.topicName().to_string(),
+          info.typeName().to_string(),
+          info.topicKind() == eprosima::fastrtps::rtps::WITH_KEY,
+          writes,
+          "",
+          info.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS,
+          info.m_qos.m_durability.kind >= dds::TRANSIENT_LOCAL_DURABILITY_QOS};
 }
 
 // 12 bytes of prefix, 4 of entity id, zeros to the end.
@@ -84,6 +89,7 @@ void DiscoveryWatch::see(const Guid& guid, ForeignEndpoint seen) {
   const std::lock_guard lock(mutex_);
   judge(seen);
   if (seen_.size() < kMaxSeen || seen_.contains(guid)) seen_[guid] = std::move(seen);
+  ++changes;
 }
 
 std::vector<ForeignEndpoint> DiscoveryWatch::foreign() const {
@@ -109,6 +115,7 @@ void DiscoveryWatch::on_publisher_discovery(dds::DomainParticipant*,
   if (info.status != Info::REMOVED_WRITER) return;
   const std::lock_guard lock(mutex_);
   seen_.erase(info.info.guid());
+  ++changes;
 }
 
 void DiscoveryWatch::on_subscriber_discovery(dds::DomainParticipant*,
@@ -119,6 +126,7 @@ void DiscoveryWatch::on_subscriber_discovery(dds::DomainParticipant*,
   if (info.status != Info::REMOVED_READER) return;
   const std::lock_guard lock(mutex_);
   seen_.erase(info.info.guid());
+  ++changes;
 }
 
 void Node::announce() {

@@ -123,6 +123,10 @@ std::vector<ForeignEndpoint> Node::endpoints() const {
   return dds_->watch.all();
 }
 
+std::uint64_t Node::discoveries() const {
+  return dds_->watch.changes;
+}
+
 std::vector<ForeignEndpoint> Node::foreign_endpoints() const {
   return dds_->watch.foreign();
 }

@@ -20,6 +20,8 @@ struct ForeignEndpoint {
   bool keyed = false;
   bool writes = false;
   std::string why;
+  bool reliable = false;  // offers or asks for it
+  bool latched = false;   // transient local or more
 };
 
 /// Whose node list we appear in: the ids in it have 24 bytes, or 16 from Iron on.
@@ -60,6 +62,8 @@ class Node {
   std::vector<ForeignEndpoint> foreign_endpoints() const;
   /// All that discovery tells of, on any topic; `why` is empty where it may match.
   std::vector<ForeignEndpoint> endpoints() const;
+  /// Grows whenever endpoints() changes.
+  std::uint64_t discoveries() const;
 
   struct Dds;
   Dds& dds() { return *dds_; }

@@ -12,10 +12,10 @@
 #include "services/config/load_params.hpp"
 #include "services/flight/fly.hpp"
 #include "services/flight/write_flight.hpp"
+#include "services/launch/resources.hpp"
 #include "services/operator/diagnose.hpp"
 #include "services/operator/summary.hpp"
 #include "services/operator/view.hpp"
-#include "services/launch/resources.hpp"
 
 namespace foretrack {
 namespace {

@@ -12,10 +12,10 @@
 #include "rosgraph_msgs/msg/Clock.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/common/node.hpp"
+#include "services/common/rate.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
 #include "services/operator/picture.hpp"
-#include "services/common/rate.hpp"
 
 namespace foretrack {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "services/common/node.hpp"
-#include "services/operator/picture.hpp"
 #include "services/common/rate.hpp"
+#include "services/operator/picture.hpp"
 
 namespace foretrack {
 

@@ -1,0 +1,194 @@
+#include "services/ground_station/bus/bus.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "services/ground_station/bus/contract.hpp"
+#include "services/ground_station/schemas/schemas.hpp"
+
+namespace foretrack::station {
+namespace {
+
+constexpr double kLookPeriod_s = 0.2;
+constexpr double kLinger_s = 10.0;    // a channel whose writer left
+constexpr double kRestAfter_s = 3.0;  // long enough to measure a rate
+constexpr double kRestBytes_s = 1e6;
+constexpr std::size_t kMaxTopics = 2048;  // hostile discovery must not fill the memory
+// Samples of many topics come together: one round for all of them costs less than one for each.
+constexpr auto kRound = std::chrono::milliseconds(3);
+
+std::string tool_name(const std::string& wire) {
+  return wire.substr(2);  // "rt/uav1/odometry" is "/uav1/odometry" to ROS 2's tools
+}
+
+Channel channel_of(const std::string& wire, const SurveyedTopic& found, std::uint32_t id) {
+  Channel c;
+  c.id = id;
+  c.topic = tool_name(wire);
+  c.wire = wire;
+  c.type = found.type;
+  c.encoding = "cdr";
+  c.schema_name = readable_type(found.type);
+  if (const auto* schema = find_schema(found.type)) {
+    c.schema_encoding = schema->encoding;
+    c.schema = schema->text;
+  }
+  return c;
+}
+
+}  // namespace
+
+std::int64_t now_ns() {
+  using namespace std::chrono;
+  return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+Bus::Bus(Node& node, Outlet outlet) : node_(node), outlet_(std::move(outlet)) {}
+
+Bus::~Bus() {
+  for (auto& [name, topic] : topics_) stop_reading(topic);
+}
+
+void Bus::want(std::set<std::uint32_t> channels) {
+  const std::lock_guard lock(mutex_);
+  wanted_ = std::move(channels);
+}
+
+std::vector<TopicReport> Bus::topics() const {
+  const std::lock_guard lock(mutex_);
+  return topic_reports_;
+}
+
+std::vector<VehicleReport> Bus::vehicles() const {
+  const std::lock_guard lock(mutex_);
+  return vehicle_reports_;
+}
+
+void Bus::stop_reading(Topic& topic) {
+  if (!topic.reader) return;
+  wait_.remove(*topic.reader);
+  topic.reader.reset();
+}
+
+void Bus::open(const std::string& name, Topic& topic, double now_s) try {
+  topic.reader = std::make_unique<RawReader>(
+      node_, RawTopic{name, topic.found.type, topic.found.keyed}, topic.found.profile);
+  wait_.add(*topic.reader);
+  topic.opened_s = now_s;
+  topic.resting = false;
+  if (topic.open) return;
+  if (topic.channel.type != topic.found.type)
+    topic.channel = channel_of(name, topic.found, next_id_++);
+  topic.channel.profile = topic.found.profile;
+  topic.channel.latched = topic.channel.profile == "latched";
+  topic.open = true;
+  outlet_.opened(topic.channel);
+} catch (const std::exception& error) {
+  topic.refused = true;  // until discovery tells something new of it
+  node_.report(error.what());
+}
+
+void Bus::close(Topic& topic) {
+  stop_reading(topic);
+  if (topic.open) outlet_.closed(topic.channel.id);
+  topic.open = false;
+}
+
+void Bus::measure(Topic& topic, double now_s) {
+  if (!topic.reader) return;
+  topic.rate_hz = topic.sample_meter.update(topic.samples, now_s);
+  topic.bytes_s = topic.byte_meter.update(topic.bytes, now_s);
+}
+
+void Bus::update(const std::string& name, Topic& topic, double now_s) {
+  measure(topic, now_s);
+  const bool wanted = wanted_.contains(topic.channel.id);
+  if (topic.found.writers > 0) {
+    topic.alone_s = -1.0;
+    if (!topic.reader && !topic.refused && (!topic.resting || wanted)) open(name, topic, now_s);
+  } else if (topic.alone_s < 0.0) {
+    topic.alone_s = now_s;
+  } else if (now_s - topic.alone_s > kLinger_s) {
+    close(topic);
+  }
+  if (topic.reader && !wanted && topic.bytes_s > kRestBytes_s &&
+      now_s - topic.opened_s > kRestAfter_s) {
+    stop_reading(topic);
+    topic.resting = true;
+  }
+}
+
+void Bus::look(double now_s) {
+  if (const auto news = node_.discoveries(); news != discoveries_) {
+    discoveries_ = news;
+    for (auto& [name, topic] : topics_) topic.found.writers = topic.found.readers = 0;
+    for (auto& [name, found] : survey(node_.endpoints())) {
+      if (topics_.size() >= kMaxTopics && !topics_.contains(name)) continue;
+      auto& topic = topics_[name];
+      const bool changed = topic.found.type != found.type || topic.found.keyed != found.keyed;
+      if (changed) close(topic);
+      if (changed || std::string_view(topic.found.profile) != found.profile) stop_reading(topic);
+      topic.found = found;
+      topic.refused = false;
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  for (auto& [name, topic] : topics_) update(name, topic, now_s);
+}
+
+void Bus::take(double now_s) {
+  batch_.clear();
+  const auto log_time_ns = now_ns();
+  for (auto& [name, topic] : topics_) {
+    if (!topic.reader) continue;
+    if (!spare_) spare_ = std::make_shared<Bytes>();
+    while (topic.reader->take(*spare_)) {
+      ++topic.samples;
+      topic.bytes += spare_->size();
+      topic.last_s = now_s;
+      batch_.push_back({topic.channel.id, log_time_ns, std::move(spare_)});
+      spare_ = std::make_shared<Bytes>();
+    }
+  }
+  if (!batch_.empty()) outlet_.samples(batch_);
+}
+
+void Bus::publish(double now_s) {
+  std::vector<TopicReport> topics;
+  std::map<std::string, double> vehicles;
+  for (const auto& [name, t] : topics_) {
+    if (t.found.writers + t.found.readers == 0 && !t.open) continue;
+    const std::string vehicle(vehicle_of(name));
+    if (!vehicle.empty()) {
+      auto& last_s = vehicles.try_emplace(vehicle, -1.0).first->second;
+      last_s = std::max(last_s, t.last_s);
+    }
+    topics.push_back({t.open ? t.channel.id : 0, tool_name(name), readable_type(t.found.type),
+                      vehicle, t.found.writers, t.found.readers, t.rate_hz, t.bytes_s,
+                      t.last_s < 0.0 ? -1.0 : now_s - t.last_s, t.resting, t.found.qos_mismatch,
+                      t.found.foreign_type});
+  }
+  const std::lock_guard lock(mutex_);
+  topic_reports_ = std::move(topics);
+  vehicle_reports_.clear();
+  for (const auto& [name, last_s] : vehicles)
+    vehicle_reports_.push_back({name, last_s < 0.0 ? -1.0 : now_s - last_s});
+}
+
+void Bus::run(Stop& stop) {
+  double next_look_s = 0.0;
+  while (!stop.requested()) {
+    const double now_s = node_.clock().steady_s();
+    if (now_s >= next_look_s) {
+      look(now_s);
+      publish(now_s);
+      next_look_s = now_s + kLookPeriod_s;
+    }
+    take(now_s);
+    std::this_thread::sleep_for(kRound);
+    wait_.wait(std::max(0.0, next_look_s - node_.clock().steady_s()));
+  }
+}
+
+}  // namespace foretrack::station

@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "services/ground_station/hub/hub.hpp"
+
+namespace foretrack::station {
+
+Client::Client(Hub& hub, std::uint64_t id, std::string address, Link link, const HubLimits& limits)
+    : hub_(hub),
+      limits_(limits),
+      link_(std::move(link)),
+      outbox_({limits.client_budget_bytes}),
+      allowance_(limits.messages_s) {
+  report_.id = id;
+  report_.address = std::move(address);
+}
+
+void Client::close(const std::string& reason) {
+  if (closed_) return;
+  closed_ = true;
+  link_.close(reason);
+}
+
+void Client::tell(std::shared_ptr<const std::string> text) {
+  if (closed_) return;
+  if (!outbox_.push_text(std::move(text))) return close("too slow: its budget is used up");
+  link_.wake();
+}
+
+void Client::offer(const Sample& sample, double now_s) {
+  const auto it = by_channel_.find(sample.channel);
+  if (it == by_channel_.end() || closed_) return;
+  outbox_.push_sample(it->second, sample, now_s);
+  link_.wake();
+}
+
+std::optional<Frame> Client::next(double now_s) {
+  took_s_ = now_s;
+  auto frame = outbox_.pop(now_s);
+  if (frame) report_.sent_bytes += frame->bytes();
+  return frame;
+}
+
+bool Client::may_speak(double now_s) {
+  allowance_ = std::min(limits_.messages_s, allowance_ + limits_.messages_s * (now_s - spoke_s_));
+  spoke_s_ = now_s;
+  if (allowance_ < 1.0) {
+    close("too many messages");
+    return false;
+  }
+  allowance_ -= 1.0;
+  return true;
+}
+
+void Client::on_text(std::string_view text, double now_s) {
+  if (may_speak(now_s)) handle(foxglove::parse_text(text), now_s);
+}
+
+void Client::on_binary(std::span<const std::uint8_t> data, double now_s) {
+  if (may_speak(now_s)) handle(foxglove::parse_binary(data), now_s);
+}
+
+void Client::subscribe(const foxglove::Subscribe& wanted, double now_s) {
+  using foxglove::Level;
+  for (const auto& [id, channel] : wanted.subscriptions) {
+    const auto it = hub_.channels_.find(channel);
+    if (it == hub_.channels_.end()) {
+      tell(status(Level::kWarning, "there is no channel " + std::to_string(channel)));
+    } else if (by_subscription_.contains(id) || by_channel_.contains(channel)) {
+      tell(status(Level::kError, "already subscribed: channel " + std::to_string(channel)));
+    } else if (by_channel_.size() >= limits_.subscriptions) {
+      tell(status(Level::kError, "too many subscriptions"));
+    } else {
+      by_channel_[channel] = id;
+      by_subscription_[id] = channel;
+      if (const auto& last = hub_.flows_[channel].latched) offer(*last, now_s);
+    }
+  }
+}
+
+void Client::handle(const foxglove::ClientMessage& message, double now_s) {
+  using foxglove::Level;
+  if (const auto* wanted = std::get_if<foxglove::Subscribe>(&message)) {
+    subscribe(*wanted, now_s);
+  } else if (const auto* ended = std::get_if<foxglove::Unsubscribe>(&message)) {
+    for (const auto id : ended->ids) {
+      const auto it = by_subscription_.find(id);
+      if (it == by_subscription_.end()) continue;
+      outbox_.forget(id);
+      by_channel_.erase(it->second);
+      by_subscription_.erase(it);
+    }
+  } else if (const auto* other = std::get_if<foxglove::NotOffered>(&message)) {
+    return tell(status(Level::kWarning, "this server does not offer '" + other->op + "'"));
+  } else {
+    return tell(status(Level::kError, std::get<foxglove::Malformed>(message).why));
+  }
+  report_.subscriptions = by_channel_.size();
+  if (hub_.on_interest) hub_.on_interest();
+}
+
+}  // namespace foretrack::station

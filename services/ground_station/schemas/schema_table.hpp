@@ -1,0 +1,18 @@
+// The table that make_schemas.py writes from idl/ at build.
+#pragma once
+
+#include <span>
+
+#include "services/ground_station/schemas/schemas.hpp"
+
+namespace foretrack::station {
+
+struct SchemaRow {
+  std::string_view wire_type;
+  Schema schema;
+};
+
+/// Sorted by wire type.
+std::span<const SchemaRow> schema_table();
+
+}  // namespace foretrack::station
