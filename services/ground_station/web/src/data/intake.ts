@@ -1,0 +1,47 @@
+// The one way from any source to the store: thin out, decode, hand over.
+import { Decoders } from "./decode.ts";
+import type { RawSample, Sample } from "./sample.ts";
+import { partsOf, readingOf } from "./topics.ts";
+
+const slow_s = 0.5;
+const frame_s = 1 / 40;
+
+export class Intake {
+  private readonly decoders: Decoders;
+  private readonly decoded_s = new Map<string, number>(); // by topic: log time of the last decoding
+
+  constructor(report: (problem: string) => void) {
+    this.decoders = new Decoders(report);
+  }
+
+  /** After a jump in time. */
+  reset(): void {
+    this.decoded_s.clear();
+  }
+
+  /** In the order of the batch. Every sample is counted, those worth it are decoded. */
+  take(batch: RawSample[]): Sample[] {
+    const newest = new Map<string, RawSample>();
+    for (const raw of batch) newest.set(raw.channel.topic, raw);
+    return batch.map((raw) => this.sample(raw, newest.get(raw.channel.topic) === raw));
+  }
+
+  private sample(raw: RawSample, isNewest: boolean): Sample {
+    const { topic, schemaName } = raw.channel;
+    const { vehicle, name } = partsOf(topic);
+    const wanted = raw.data !== null && this.isWanted(raw, isNewest);
+    if (wanted) this.decoded_s.set(topic, raw.time_s);
+    const message = wanted ? this.decoders.decode(raw.channel, raw.data!) : undefined;
+    return { topic, vehicle, name, type: schemaName, time_s: raw.time_s, bytes: raw.bytes, message };
+  }
+
+  // A batch may be one frame of a live view or thirty seconds of a recording.
+  private isWanted(raw: RawSample, isNewest: boolean): boolean {
+    const reading = readingOf(raw.channel.topic);
+    if (reading === undefined) return false;
+    if (reading === "all") return true;
+    const since_s = raw.time_s - (this.decoded_s.get(raw.channel.topic) ?? -Infinity);
+    const period_s = reading === "slow" ? slow_s : frame_s;
+    return since_s >= period_s || (isNewest && reading === "newest");
+  }
+}

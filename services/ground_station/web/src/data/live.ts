@@ -1,0 +1,121 @@
+// The live source: the station's WebSocket, by the official client of the Foxglove protocol.
+import { type Channel as Announced, FoxgloveClient, type IWebSocket, type MessageData,
+} from "@foxglove/ws-protocol";
+
+import { SampleQueue } from "./queue.ts";
+import type { Channel, RawSample } from "./sample.ts";
+import { readingOf } from "./topics.ts";
+
+const protocols = ["foxglove.websocket.v1", "foxglove.sdk.v1"];
+const retry_ms = 1000;
+const hearing_ms = 4000; // the station speaks twice a second; so long without a word: it hangs
+
+export interface LiveEvents {
+  link(open: boolean, reason: string): void;
+  problem(text: string): void;
+}
+
+export class LiveLink {
+  private client: FoxgloveClient | null = null;
+  private socket: WebSocket | null = null;
+  private readonly queue = new SampleQueue();
+  private readonly announced = new Map<number, Channel>(); // by channel id
+  private readonly subscribed = new Map<number, { channel: Channel; channelId: number }>();
+  private heard_ms = 0;
+  private closed = false;
+  private readonly timer: ReturnType<typeof setInterval>;
+  /** Station's clock minus ours, by the quickest sample of late. */
+  private ahead_s = 0;
+  private aheadSince_ms = 0;
+
+  constructor(private readonly url: () => string, private readonly events: LiveEvents) {
+    this.connect();
+    this.timer = setInterval(() => this.checkHearing(), 1000);
+  }
+
+  take(): RawSample[] {
+    return this.queue.take();
+  }
+
+  /** Unix time on the station's clock. */
+  now_s(): number {
+    return Date.now() / 1000 + this.ahead_s;
+  }
+
+  close(): void {
+    this.closed = true;
+    clearInterval(this.timer);
+    this.client?.close();
+  }
+
+  private connect(): void {
+    if (this.closed) return;
+    this.announced.clear();
+    this.subscribed.clear();
+    this.heard_ms = performance.now();
+    const socket = new WebSocket(this.url(), protocols);
+    const client = new FoxgloveClient({ ws: socket as unknown as IWebSocket });
+    this.socket = socket;
+    this.client = client;
+    client.on("open", () => this.events.link(true, ""));
+    client.on("error", () => {});
+    client.on("close", (event) => this.onClose(client, event.reason || "closed"));
+    client.on("status", (status) => {
+      if (status.level > 0) this.events.problem(`station: ${status.message}`);
+    });
+    client.on("advertise", (channels) => channels.forEach((c) => this.announce(client, c)));
+    client.on("unadvertise", (ids) => ids.forEach((id) => this.forget(id)));
+    client.on("message", (message) => this.receive(message));
+  }
+
+  private onClose(client: FoxgloveClient, reason: string): void {
+    if (client !== this.client) return;
+    this.client = null;
+    this.socket = null;
+    if (this.closed) return;
+    this.events.link(false, reason);
+    setTimeout(() => this.connect(), retry_ms);
+  }
+
+  private announce(client: FoxgloveClient, c: Announced): void {
+    if (readingOf(c.topic) === undefined) return;
+    const channel: Channel = { topic: c.topic, encoding: c.encoding, schemaName: c.schemaName,
+      schemaEncoding: c.schemaEncoding ?? (c.encoding === "cdr" ? "ros2msg" : ""),
+      schema: c.schema };
+    this.announced.set(c.id, channel);
+    this.subscribed.set(client.subscribe(c.id), { channel, channelId: c.id });
+  }
+
+  // The station has already ended the subscription with the channel.
+  private forget(channelId: number): void {
+    this.announced.delete(channelId);
+    for (const [id, of] of this.subscribed)
+      if (of.channelId === channelId) this.subscribed.delete(id);
+  }
+
+  private receive(message: MessageData): void {
+    const of = this.subscribed.get(message.subscriptionId);
+    this.heard_ms = performance.now();
+    if (!of) return;
+    const time_s = Number(message.timestamp / 1000n) / 1e6;
+    this.setClock(time_s);
+    const view = message.data;
+    const data = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
+    this.queue.push({ channel: of.channel, time_s, bytes: data.byteLength, data });
+  }
+
+  private setClock(time_s: number): void {
+    const ahead_s = time_s - Date.now() / 1000;
+    const old = performance.now() - this.aheadSince_ms > 10000;
+    if (ahead_s <= this.ahead_s && !old) return;
+    this.ahead_s = ahead_s;
+    this.aheadSince_ms = performance.now();
+  }
+
+  private checkHearing(): void {
+    if (!this.client || performance.now() - this.heard_ms < hearing_ms) return;
+    const client = this.client;
+    this.socket?.close();
+    this.onClose(client, `no word for ${hearing_ms / 1000} s`); // a dead link closes too late
+  }
+}

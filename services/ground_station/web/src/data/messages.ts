@@ -1,0 +1,179 @@
+// What we read of the messages in idl/, with their field names. World ENU, body FLU, SI, rad.
+
+export interface Time { sec: number; nanosec?: number; nsec?: number }
+export interface Header { stamp: Time; frame_id: string }
+export type Vec3 = ArrayLike<number>; // three numbers
+
+interface Xyz { x: number; y: number; z: number }
+export interface Quaternion extends Xyz { w: number }
+export interface Pose { position: Xyz; orientation: Quaternion }
+
+export interface Odometry {
+  header: Header;
+  child_frame_id: string;
+  pose: { pose: Pose };
+  twist: { twist: { linear: Xyz; angular: Xyz } };
+}
+
+export interface TargetState {
+  header: Header;
+  status: number;
+  position_m: Vec3;
+  velocity_mps: Vec3;
+  body_yaw_rad: number;
+  body_yaw_variance_rad2: number;
+  last_measurement_age_s: number;
+  rejected_measurements: number;
+}
+
+export interface CameraModel {
+  width_px: number;
+  height_px: number;
+  fx_px: number;
+  fy_px: number;
+  cx_px: number;
+  cy_px: number;
+  pose_body: Pose;
+}
+export interface TargetObservation { header: Header; kind: number; camera: CameraModel }
+
+export interface IntentionScore { id: number; name: string; probability: number }
+export interface ReachableRegion {
+  center_m: Vec3;
+  radius_m: number;
+  heading_rad: number;
+  left_bisector_yaw_rad: number;
+  left_half_angle_rad: number;
+  right_bisector_yaw_rad: number;
+  right_half_angle_rad: number;
+}
+export interface TargetIntention {
+  header: Header;
+  intentions: IntentionScore[];
+  region_now: ReachableRegion;
+  region_ahead: ReachableRegion;
+}
+
+export interface PredictedPath {
+  intention: number;
+  name: string;
+  probability: number;
+  states: { time_from_stamp_s: number; position_m: Vec3 }[];
+}
+export interface TargetPrediction {
+  header: Header;
+  status: number;
+  paths: PredictedPath[];
+  compute_ms: number;
+}
+
+export interface TrajectoryPiece {
+  duration_s: number;
+  coefficients: ArrayLike<Vec3>; // one row a power
+}
+export interface VisibleRegion {
+  time_from_start_s: number;
+  target_position_m: Vec3;
+  bisector_yaw_rad: number;
+  half_angle_rad: number;
+  waypoint_m: Vec3;
+}
+export interface CorridorFace { normal: Vec3; offset_m: number }
+export interface PlannedTrajectory {
+  header: Header;
+  id: bigint;
+  start: Time;
+  status: number;
+  reason: number;
+  text: string;
+  pieces: TrajectoryPiece[];
+  tail_start_s: number;
+  visible_regions: VisibleRegion[];
+  corridor: { faces: CorridorFace[] }[];
+  stage_times: { stage: string; ms: number }[];
+}
+
+export interface SafetyState {
+  header: Header;
+  caused_by: Time;
+  mode: number;
+  reason: number;
+  text: string;
+  phase: number;
+  plan_age_s: number;
+  odometry_age_s: number;
+  deviation_m: number;
+  offboard: boolean;
+  armed: boolean;
+  heartbeat: boolean;
+  setpoint_valid: boolean;
+  command_id: bigint;
+  command_result: number;
+  operator_id: string;
+}
+
+export interface MissionCommand {
+  header: Header;
+  id: bigint;
+  command: number;
+  operator_id: string;
+  lease_id: string;
+}
+
+export interface ServiceHealth {
+  header: Header;
+  service: string;
+  state: number;
+  uptime_s: number;
+  cpu_percent: number;
+  rss_bytes: bigint;
+  loop_mean_ms: number;
+  loop_max_ms: number;
+  foreign_endpoints: number;
+  last_error: string;
+  topics: {
+    topic: string;
+    writes: boolean;
+    samples: bigint;
+    rate_hz: number;
+    age_s: number;
+    peers: number;
+    rejected: { reason: string; samples: bigint }[];
+  }[];
+}
+
+export interface PointCloud2 {
+  header: Header;
+  height: number;
+  width: number;
+  fields: { name: string; offset: number; datatype: number }[];
+  point_step: number;
+  data: Uint8Array;
+}
+export interface LocalMap {
+  header: Header;
+  resolution_m: number;
+  origin_m: Vec3;
+  size_x: number;
+  size_y: number;
+  size_z: number;
+  cells: Uint8Array;
+}
+
+export interface DiagnosticStatus {
+  level: number;
+  name: string;
+  message: string;
+  hardware_id: string;
+  values: { key: string; value: string }[];
+}
+export interface DiagnosticArray { header: Header; status: DiagnosticStatus[] }
+
+export interface BatteryStatus {
+  connected: boolean;
+  voltage_v: number;
+  remaining: number;
+  warning: number;
+}
+
+export const seconds = (t: Time): number => t.sec + 1e-9 * (t.nanosec ?? t.nsec ?? 0);

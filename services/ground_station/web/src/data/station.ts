@@ -1,0 +1,42 @@
+// What the station says of itself: /station/status and GET /api/status.
+
+export interface StationVehicle {
+  name: string;
+  seen_s_ago: number | null;
+  lease: { operator: string; expires_s: number } | null;
+  last_command: {
+    id: number; command: string; operator: string; result: string; reason: string;
+  } | null;
+}
+
+export interface StationTopic {
+  topic: string;
+  type: string;
+  vehicle: string;
+  writers: number;
+  readers: number;
+  rate_hz: number;
+  bytes_s: number;
+  age_s: number | null; // null: nothing came yet
+  limited: boolean;
+  resting?: boolean; // nobody asks for it, so the station does not read it
+  qos_mismatch: boolean | number;
+  foreign_type: string | null;
+}
+
+export interface StationStatus {
+  server: {
+    version: string; uptime_s: number; clients: number; control_enabled: boolean;
+    needs_token: boolean;
+  };
+  vehicles: StationVehicle[];
+  recording: {
+    active: boolean; file: string; bytes: number; seconds: number; lost?: number;
+  } | null;
+  topics: StationTopic[];
+  clients: unknown[];
+}
+
+export interface Answer { ok: boolean; reason: string }
+/** A recording on the station's disk. */
+export interface Recording { file: string; bytes: number; [more: string]: unknown }

@@ -1,0 +1,55 @@
+// Which topics the page reads, and how much of each.
+
+/** all: every sample. newest: the newest of a frame. slow: the newest, at most twice a second. */
+export type Reading = "all" | "newest" | "slow";
+
+const readings: Record<string, Reading> = {
+  "odometry": "newest",
+  "target/state": "newest",
+  "target/observation": "slow",
+  "target/intention": "newest",
+  "target/prediction": "newest",
+  "plan/trajectory": "newest",
+  "safety/state": "all",
+  "mission/command": "all",
+  "health": "all",
+  "map/points": "slow",
+  "map/local": "slow",
+  "diagnostics": "all",
+  "fmu/out/battery_status": "slow",
+  "station/status": "all",
+};
+
+/** Sent once or seldom and good until the next: a replay seeks the last one before its place. */
+export const lasting = ["map/points", "map/local", "target/observation", "fmu/out/battery_status"];
+
+export interface TopicParts { vehicle: string; name: string }
+
+const shared = new Set(["tf", "tf_static", "diagnostics", "clock", "station/status",
+  "ros_discovery_info"]);
+
+/** "/uav1/target/state" → uav1, target/state. PX4's topics keep their namespace as the vehicle. */
+export function partsOf(topic: string): TopicParts {
+  const path = topic.replace(/^\//, "").replace(/^rt\//, "");
+  if (shared.has(path)) return { vehicle: "", name: path };
+  if (path.startsWith("fmu/")) return { vehicle: "", name: path };
+  const slash = path.indexOf("/");
+  if (slash < 0) return { vehicle: "", name: path };
+  return { vehicle: path.slice(0, slash), name: path.slice(slash + 1) };
+}
+
+/** undefined: the page does not read it. */
+export function readingOf(topic: string): Reading | undefined {
+  return readings[partsOf(topic).name];
+}
+
+/** The autopilot's namespace px4_3 belongs to the vehicle whose name ends in 3, or the only one. */
+export function ownerOf(namespace: string, vehicles: string[]): string | undefined {
+  if (vehicles.includes(namespace)) return namespace;
+  const isAutopilot = namespace === "" || /^px4_\d+$/.test(namespace);
+  if (!isAutopilot) return undefined;
+  if (vehicles.length === 1) return vehicles[0];
+  const number = /(\d+)$/.exec(namespace)?.[1];
+  return number === undefined ? undefined
+    : vehicles.find((name) => /(\d+)$/.exec(name)?.[1] === number);
+}

@@ -1,0 +1,63 @@
+// The messages' enumerators in words; the same words as the terminal view's.
+
+const track = ["never seen", "tracking", "coasting", "lost"];
+const prediction = ["ok", "no target", "target blocked", "search exhausted"];
+const plan = ["none", "fresh", "kept", "search", "hold"];
+const mode = ["track", "coast", "hover", "brake", "silent"];
+const service = ["starting", "running", "degraded", "stopping"];
+const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped"];
+const result = ["none", "accepted", "refused: too late", "refused: repeated",
+  "refused: not from this phase"];
+const command = ["start", "hold", "resume", "return", "land", "stop"];
+const level = ["ok", "warning", "error", "stale"];
+const battery = ["ok", "low", "critical", "emergency", "failed"];
+
+const planReason = [
+  "all is well",
+  "no person has been seen yet",
+  "the person was lost",
+  "an input is too old",
+  "the vehicle itself is too near an obstacle, or in space that was never seen",
+  "the person seems to stand inside an obstacle",
+  "there is no free way to a place from which the person is visible",
+  "the free space along the way is too tight",
+  "the optimiser did not converge",
+  "the trajectory broke the vehicle's limits",
+  "the trajectory came too near an obstacle",
+  "the trajectory did not continue the one that is flown",
+  "the trajectory's stop would not be safe",
+  "the trajectory came too near the person",
+];
+const gateReason = [
+  "all is well",
+  "no plan has come yet",
+  "plans have ceased to come",
+  "the last plan has come to its end",
+  "the planner itself asks to stand still",
+  "the vehicle is far from where it was told to be",
+  "the vehicle's state has ceased to come",
+  "nothing is heard from the autopilot",
+  "the autopilot is not in offboard mode",
+  "an operator's order",
+];
+
+const from = (words: string[]) => (index: number): string => words[index] ?? "unknown";
+
+export const trackWord = from(track);
+export const predictionWord = from(prediction);
+export const planWord = from(plan);
+export const modeWord = from(mode);
+export const serviceWord = from(service);
+export const phaseWord = from(phase);
+export const resultWord = from(result);
+export const commandWord = from(command);
+export const levelWord = from(level);
+export const batteryWord = from(battery);
+export const explainPlan = from(planReason);
+export const explainGate = from(gateReason);
+
+export const Mode = { track: 0, coast: 1, hover: 2, brake: 3, silent: 4 } as const;
+export const Track = { none: 0, tracking: 1, coasting: 2, lost: 3 } as const;
+export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as const;
+export const ServiceState = { starting: 0, running: 1, degraded: 2, stopping: 3 } as const;
+export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;

@@ -1,0 +1,25 @@
+import { render } from "preact";
+
+import { Page } from "./ui/page.tsx";
+import { Session } from "./ui/session.ts";
+
+const scheme = location.protocol === "https:" ? "wss:" : "ws:";
+const session = new Session(`${scheme}//${location.host}/ws`);
+
+// A hidden page gets no frames, but must not grow old nor hold what came.
+let drawn_ms = 0;
+function frame(): void {
+  drawn_ms = performance.now();
+  session.frame();
+  requestAnimationFrame(frame);
+}
+setInterval(() => {
+  if (performance.now() - drawn_ms > 400) session.frame();
+}, 500);
+setInterval(() => session.changed(), 250);
+
+const root = document.getElementById("page")!;
+root.textContent = "";
+render(<Page session={session} />, root);
+requestAnimationFrame(frame);
+Object.assign(window, { foretrack: session }); // for tests and for the curious

@@ -1,0 +1,72 @@
+// Orders to the chosen vehicle, under a lease that one operator holds.
+import { lease, order } from "../ui/orders.ts";
+import type { Command } from "../ui/operator.ts";
+import type { Session } from "../ui/session.ts";
+
+const commands: [Command, string][] = [
+  ["start", "Start"], ["hold", "Hold"], ["resume", "Resume"], ["return", "Return"], ["land", "Land"],
+];
+
+/** Why the chosen vehicle cannot be commanded from here; "" if it can. */
+export function obstacle(session: Session): string {
+  const { link, station } = session.liveState;
+  const { operator } = session;
+  if (!link.open) return "no connection to the station";
+  if (!station) return "the station has not reported yet";
+  if (!session.commanded) return "no vehicle";
+  const { server, vehicles } = station.message;
+  if (!server.control_enabled) return "the station is read-only";
+  if (server.needs_token && !operator.token) return "a token is needed (Control)";
+  if (!operator.name) return "enter your name first";
+  const holder = vehicles.find((v) => v.name === session.commanded)?.lease?.operator;
+  if (!holder) return "take control first";
+  return holder === operator.name ? "" : `${holder} has control`;
+}
+
+export function LeaseButton({ session }: { session: Session }) {
+  const { operator, commanded, liveState } = session;
+  const station = liveState.station?.message;
+  const held = station?.vehicles.find((v) => v.name === commanded)?.lease;
+  const mine = held !== null && held !== undefined && held.operator === operator.name;
+  if (mine)
+    return (
+      <button class="lease mine" onClick={() => void lease(session, commanded, "release")}
+        title="you have control; press to release it">in control</button>
+    );
+  const cannot = !operator.name || !station?.server.control_enabled || !commanded;
+  return (
+    <button class="lease" disabled={cannot} title={held ? `${held.operator} has control` : ""}
+      onClick={() => void lease(session, commanded, "take")}>Take control</button>
+  );
+}
+
+export function NameField({ session }: { session: Session }) {
+  const { operator } = session;
+  return (
+    <input class="operator" placeholder="your name" maxLength={64} value={operator.name}
+      aria-label="operator" autocomplete="off"
+      onInput={(event) => {
+        operator.name = event.currentTarget.value;
+        session.changed();
+      }} />
+  );
+}
+
+export function Commands({ session }: { session: Session }) {
+  const why = obstacle(session);
+  return (
+    <div class="commands" aria-label="commands">
+      <NameField session={session} />
+      <LeaseButton session={session} />
+      <span class="orders">
+        {commands.map(([command, word]) => (
+          <button key={command} disabled={why !== ""} title={why}
+            onClick={() => void order(session, session.commanded, command)}>{word}</button>
+        ))}
+      </span>
+      <output class={session.message.bad ? "bad" : ""} data-field="answer">
+        {session.message.text || why}
+      </output>
+    </div>
+  );
+}

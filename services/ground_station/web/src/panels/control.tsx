@@ -1,0 +1,72 @@
+// Who has control of what, the last orders and their results, the token, and STOP for all.
+import { lease, order } from "../ui/orders.ts";
+import { resultWord } from "../data/words.ts";
+import type { StationVehicle } from "../data/station.ts";
+import type { Session } from "../ui/session.ts";
+import { Commands } from "./commands.tsx";
+import { HoldButton } from "./stop.tsx";
+
+function Token({ session }: { session: Session }) {
+  const { server } = session.liveState.station?.message ?? {};
+  if (!server?.needs_token) return null;
+  return (
+    <label>token <input type="password" aria-label="token" value={session.operator.token}
+      onChange={(event) => {
+        session.operator.setToken(event.currentTarget.value);
+        session.changed();
+      }} /></label>
+  );
+}
+
+function HandOver({ session, vehicle }: { session: Session; vehicle: StationVehicle }) {
+  if (vehicle.lease?.operator !== session.operator.name || !session.operator.name) return null;
+  return (
+    <form onSubmit={(event) => {
+      event.preventDefault();
+      const to = new FormData(event.currentTarget).get("to");
+      if (typeof to === "string" && to) void lease(session, vehicle.name, "hand_over", to.trim());
+    }}>
+      <input name="to" placeholder="to whom" aria-label={`hand over ${vehicle.name} to`} />
+      <button>Hand over</button>
+    </form>
+  );
+}
+
+function Row({ session, vehicle }: { session: Session; vehicle: StationVehicle }) {
+  const { lease: held, last_command: last } = vehicle;
+  const gate = session.liveState.vehicles.get(vehicle.name)?.latest["safety/state"]?.message;
+  return (
+    <tr>
+      <td>{vehicle.name}</td>
+      <td data-field={`lease-${vehicle.name}`}>
+        {held ? `${held.operator}, ${Math.max(0, held.expires_s).toFixed(0)} s` : "free"}</td>
+      <td>{last ? `${last.command} by ${last.operator}` : "–"}</td>
+      <td data-field={`result-${vehicle.name}`}>
+        {last ? `${last.result}${last.reason ? `: ${last.reason}` : ""}` : "–"}</td>
+      <td>{gate && gate.command_id > 0n
+        ? `${resultWord(gate.command_result)} (${gate.operator_id || "–"})` : "–"}</td>
+      <td><HandOver session={session} vehicle={vehicle} /></td>
+    </tr>
+  );
+}
+
+export function ControlPanel({ session }: { session: Session }) {
+  const vehicles = session.liveState.station?.message.vehicles ?? [];
+  return (
+    <div class="control">
+      <div class="row">
+        <Commands session={session} />
+        <Token session={session} />
+      </div>
+      <table>
+        <thead><tr><th>vehicle</th><th>control</th><th>last order</th><th>station</th>
+          <th>safety gate</th><th /></tr></thead>
+        <tbody>{vehicles.map((v) => <Row key={v.name} session={session} vehicle={v} />)}</tbody>
+      </table>
+      {vehicles.length > 1 ? (
+        <HoldButton label="STOP all"
+          act={() => vehicles.forEach((v) => void order(session, v.name, "stop"))} />
+      ) : null}
+    </div>
+  );
+}

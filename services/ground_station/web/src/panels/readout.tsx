@@ -1,0 +1,58 @@
+// The chosen vehicle in words, over the scene: as the terminal view says it.
+import { explainGate, explainPlan, modeWord, planWord, PlanState, trackWord, Track,
+} from "../data/words.ts";
+import { distance_m, yawError_rad } from "../store/derive.ts";
+import { age_s } from "../store/state.ts";
+import { stale_s } from "../store/watch.ts";
+import { number } from "../ui/format.ts";
+import { intentionColor } from "../ui/palette.ts";
+import type { Session } from "../ui/session.ts";
+import { Aged } from "./badge.tsx";
+
+export function Readout({ session }: { session: Session }) {
+  const { state, vehicle } = session;
+  if (!vehicle) return null;
+  const { latest } = vehicle;
+  const target = latest["target/state"];
+  const odometry = latest["odometry"]?.message;
+  const intention = latest["target/intention"];
+  const plan = latest["plan/trajectory"];
+  const safety = latest["safety/state"];
+  const error = yawError_rad(odometry, target?.message);
+  const gap_m = distance_m(odometry, target?.message);
+  const inBand = gap_m !== null && gap_m >= session.band_m[0] && gap_m <= session.band_m[1];
+  const sum_ms = plan?.message.stage_times.filter((s) => s.stage !== "total")
+    .reduce((sum, s) => sum + s.ms, 0);
+  return (
+    <dl class="readout" aria-label="readout">
+      <dt>person</dt>
+      <dd><Aged age_s={age_s(state, target)} limit_s={stale_s}>
+        <span data-field="person">{trackWord(target?.message.status ?? Track.none)}</span>{" "}
+        <span data-field="distance" class={inBand ? "" : "off"}>{number(gap_m, 2, "m")}</span>{" "}
+        <span data-field="bearing">{number(error === null ? null : (error * 180) / Math.PI, 0)}° off</span>
+      </Aged></dd>
+      <dt>intention</dt>
+      <dd><Aged age_s={age_s(state, intention)} limit_s={stale_s}>
+        <span class="odds">{intention?.message.intentions.map((i) => (
+          <span key={i.name} class="odd" title={`${i.name} ${i.probability.toFixed(2)}`}
+            data-field={`p-${i.name}`} data-value={i.probability.toFixed(3)}>
+            <i style={{ background: intentionColor(i.name, i.id),
+              width: `${Math.round(100 * i.probability)}%` }} />
+            <em>{i.name} {i.probability.toFixed(2)}</em>
+          </span>
+        ))}</span>
+      </Aged></dd>
+      <dt>plan</dt>
+      <dd><Aged age_s={age_s(state, plan)} limit_s={stale_s}>
+        <span data-field="plan">{planWord(plan?.message.status ?? PlanState.none)}</span>{" "}
+        {plan && plan.message.reason > 0 ? `(${explainPlan(plan.message.reason)}) ` : ""}
+        {number(sum_ms, 1, "ms")}
+      </Aged></dd>
+      <dt>gate</dt>
+      <dd><Aged age_s={age_s(state, safety)} limit_s={stale_s}>
+        <span data-field="gate">{safety ? modeWord(safety.message.mode) : "–"}</span>
+        {safety && safety.message.reason > 0 ? `: ${explainGate(safety.message.reason)}` : ""}
+      </Aged></dd>
+    </dl>
+  );
+}

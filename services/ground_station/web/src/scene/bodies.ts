@@ -1,0 +1,100 @@
+// The solid things: a vehicle with its camera's frustum, and a person.
+import {
+  BoxGeometry, BufferGeometry, CapsuleGeometry, ConeGeometry, Float32BufferAttribute, Group,
+  LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Quaternion, RingGeometry, DoubleSide,
+} from "three";
+
+import type { CameraModel, Odometry, TargetState } from "../data/messages.ts";
+import { Track } from "../data/words.ts";
+
+const frustumReach_m = 2.2;
+const torsoHeight_m = 1.2; // of the mean of shoulders and hips
+
+export class VehicleBody {
+  readonly group = new Group();
+  private readonly frustum: LineSegments;
+  private cameraKey = "";
+
+  constructor(color: string) {
+    const shell = new MeshLambertMaterial({ color });
+    const dark = new MeshLambertMaterial({ color: "#c8d3dd", side: DoubleSide });
+    const hull = new Mesh(new BoxGeometry(0.3, 0.16, 0.09), shell);
+    const nose = new Mesh(new ConeGeometry(0.07, 0.16, 12), shell);
+    nose.rotation.z = -Math.PI / 2;
+    nose.position.x = 0.22;
+    this.group.add(hull, nose);
+    for (const [x, y] of [[1, 1], [1, -1], [-1, 1], [-1, -1]] as const) {
+      const rotor = new Mesh(new RingGeometry(0.11, 0.15, 20), dark);
+      rotor.position.set(0.21 * x, 0.21 * y, 0.06);
+      const arm = new Mesh(new BoxGeometry(0.32, 0.03, 0.03), dark);
+      arm.position.set(0.12 * x, 0.12 * y, 0.02);
+      arm.rotation.z = Math.atan2(y, x);
+      this.group.add(rotor, arm);
+    }
+    this.frustum = new LineSegments(new BufferGeometry(),
+      new LineBasicMaterial({ color, transparent: true, opacity: 0.8 }));
+    this.group.add(this.frustum);
+    this.setCamera(undefined);
+  }
+
+  place(odometry: Odometry): void {
+    const { position: p, orientation: q } = odometry.pose.pose;
+    this.group.position.set(p.x, p.y, p.z);
+    this.group.quaternion.copy(new Quaternion(q.x, q.y, q.z, q.w));
+  }
+
+  /** Without a camera model: 90° by 74°, straight ahead. */
+  setCamera(camera: CameraModel | undefined): void {
+    const key = camera ? JSON.stringify(camera) : "none";
+    if (key === this.cameraKey) return;
+    this.cameraKey = key;
+    const [right, down] = camera && camera.fx_px > 0
+      ? [camera.width_px / 2 / camera.fx_px, camera.height_px / 2 / camera.fy_px] : [1, 0.75];
+    const d = frustumReach_m;
+    const corners = [[right, down], [right, -down], [-right, -down], [-right, down]]
+      .map(([x, y]) => [x! * d, y! * d, d]);
+    const lines: number[] = [];
+    corners.forEach((corner, i) => {
+      lines.push(0, 0, 0, ...corner, ...corner, ...corners[(i + 1) % 4]!);
+    });
+    this.frustum.geometry.setAttribute("position", new Float32BufferAttribute(lines, 3));
+    const pose = camera?.pose_body;
+    if (pose) {
+      this.frustum.position.set(pose.position.x, pose.position.y, pose.position.z);
+      const q = pose.orientation;
+      this.frustum.quaternion.set(q.x, q.y, q.z, q.w);
+    } else {
+      this.frustum.quaternion.set(-0.5, 0.5, -0.5, 0.5); // camera z ahead, x right
+    }
+    this.frustum.frustumCulled = false;
+  }
+}
+
+export class PersonBody {
+  readonly group = new Group();
+  private readonly skin: MeshLambertMaterial;
+  private readonly chest: Group;
+
+  constructor(color: string) {
+    this.skin = new MeshLambertMaterial({ color, transparent: true });
+    const body = new Mesh(new CapsuleGeometry(0.2, 1.3, 4, 12), this.skin);
+    body.rotation.x = Math.PI / 2;
+    body.position.z = 0.85 - torsoHeight_m;
+    this.chest = new Group();
+    const arrow = new Mesh(new ConeGeometry(0.13, 0.38, 4), this.skin);
+    arrow.rotation.z = -Math.PI / 2;
+    arrow.position.x = 0.42;
+    this.chest.add(arrow);
+    this.group.add(body, this.chest);
+  }
+
+  place(target: TargetState): void {
+    this.group.visible = target.status !== Track.none;
+    const p = target.position_m;
+    this.group.position.set(p[0]!, p[1]!, p[2]!);
+    this.chest.visible = target.body_yaw_variance_rad2 >= 0;
+    this.chest.rotation.z = target.body_yaw_rad;
+    this.skin.opacity = target.status === Track.tracking ? 1
+      : target.status === Track.coasting ? 0.55 : 0.25;
+  }
+}

@@ -1,0 +1,178 @@
+// Shapes that change every frame, in buffers that are made once.
+import {
+  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Line, LineBasicMaterial,
+  LineSegments, Mesh, MeshBasicMaterial,
+} from "three";
+
+export type Point = readonly [number, number, number];
+
+function dynamic(size: number, items: number): BufferAttribute {
+  const attribute = new BufferAttribute(new Float32Array(size * items), items);
+  attribute.setUsage(DynamicDrawUsage);
+  return attribute;
+}
+
+function paint(colors: BufferAttribute, i: number, color: Color, alpha: number): void {
+  colors.setXYZW(i, color.r, color.g, color.b, alpha);
+}
+
+const parse = new Color();
+
+/** A flat band along a path; its opacity goes from one end's to the other's. */
+export class Ribbon {
+  readonly mesh: Mesh;
+  private readonly positions: BufferAttribute;
+  private readonly colors: BufferAttribute;
+
+  constructor(private readonly capacity: number) {
+    const geometry = new BufferGeometry();
+    this.positions = dynamic(2 * capacity, 3);
+    this.colors = dynamic(2 * capacity, 4);
+    geometry.setAttribute("position", this.positions);
+    geometry.setAttribute("color", this.colors);
+    const index: number[] = [];
+    for (let i = 0; i + 1 < capacity; i++)
+      index.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2);
+    geometry.setIndex(index);
+    geometry.setDrawRange(0, 0);
+    this.mesh = new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, transparent: true,
+      side: DoubleSide, depthWrite: false }));
+    this.mesh.frustumCulled = false;
+  }
+
+  set(points: readonly Point[], width_m: number, color: (i: number) => string,
+      alpha: (share: number) => number): void {
+    const count = Math.min(points.length, this.capacity);
+    for (let i = 0; i < count; i++) {
+      const [x, y, z] = points[i]!;
+      const before = points[Math.max(0, i - 1)]!;
+      const after = points[Math.min(count - 1, i + 1)]!;
+      const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+      const length = Math.hypot(dx, dy) || 1;
+      const [ox, oy] = [(-dy / length) * width_m * 0.5, (dx / length) * width_m * 0.5];
+      this.positions.setXYZ(2 * i, x + ox, y + oy, z);
+      this.positions.setXYZ(2 * i + 1, x - ox, y - oy, z);
+      parse.set(color(i));
+      const opacity = alpha(count > 1 ? i / (count - 1) : 0);
+      paint(this.colors, 2 * i, parse, opacity);
+      paint(this.colors, 2 * i + 1, parse, opacity);
+    }
+    this.positions.needsUpdate = true;
+    this.colors.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, count > 1 ? 6 * (count - 1) : 0);
+  }
+}
+
+export interface Fan {
+  center: Point;
+  radius_m: number;
+  bisector_rad: number;
+  half_rad: number;
+  color: string;
+  alpha: number;
+}
+
+/** Flat sectors of discs, many in one mesh; the rim fades. */
+export class Fans {
+  static readonly steps = 12;
+  readonly mesh: Mesh;
+  private readonly positions: BufferAttribute;
+  private readonly colors: BufferAttribute;
+
+  constructor(private readonly capacity: number) {
+    const geometry = new BufferGeometry();
+    const each = Fans.steps + 2;
+    this.positions = dynamic(each * capacity, 3);
+    this.colors = dynamic(each * capacity, 4);
+    geometry.setAttribute("position", this.positions);
+    geometry.setAttribute("color", this.colors);
+    const index: number[] = [];
+    for (let f = 0; f < capacity; f++)
+      for (let i = 0; i < Fans.steps; i++)
+        index.push(f * each, f * each + 1 + i, f * each + 2 + i);
+    geometry.setIndex(index);
+    this.mesh = new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, transparent: true,
+      side: DoubleSide, depthWrite: false }));
+    this.mesh.frustumCulled = false;
+  }
+
+  set(fans: readonly Fan[]): void {
+    const each = Fans.steps + 2;
+    const count = Math.min(fans.length, this.capacity);
+    for (let f = 0; f < count; f++) {
+      const fan = fans[f]!;
+      const [x, y, z] = fan.center;
+      parse.set(fan.color);
+      this.positions.setXYZ(f * each, x, y, z);
+      paint(this.colors, f * each, parse, fan.alpha);
+      for (let i = 0; i <= Fans.steps; i++) {
+        const angle = fan.bisector_rad + fan.half_rad * ((2 * i) / Fans.steps - 1);
+        this.positions.setXYZ(f * each + 1 + i, x + fan.radius_m * Math.cos(angle),
+          y + fan.radius_m * Math.sin(angle), z);
+        paint(this.colors, f * each + 1 + i, parse, 0.45 * fan.alpha);
+      }
+    }
+    this.positions.needsUpdate = true;
+    this.colors.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, 3 * Fans.steps * count);
+  }
+}
+
+/** Separate segments of one colour. */
+export class Segments {
+  readonly mesh: LineSegments;
+  private readonly positions: BufferAttribute;
+
+  constructor(private readonly capacity: number, color: string, opacity: number) {
+    const geometry = new BufferGeometry();
+    this.positions = dynamic(2 * capacity, 3);
+    geometry.setAttribute("position", this.positions);
+    geometry.setDrawRange(0, 0);
+    this.mesh = new LineSegments(geometry,
+      new LineBasicMaterial({ color, transparent: true, opacity, depthWrite: false }));
+    this.mesh.frustumCulled = false;
+  }
+
+  set(edges: readonly (readonly [Point, Point])[]): void {
+    const count = Math.min(edges.length, this.capacity);
+    for (let i = 0; i < count; i++) {
+      this.positions.setXYZ(2 * i, ...edges[i]![0]);
+      this.positions.setXYZ(2 * i + 1, ...edges[i]![1]);
+    }
+    this.positions.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, 2 * count);
+  }
+}
+
+/** A line that fades towards its beginning. */
+export class FadingLine {
+  readonly mesh: Line;
+  private readonly positions: BufferAttribute;
+  private readonly colors: BufferAttribute;
+
+  constructor(private readonly capacity: number, private readonly color: string) {
+    const geometry = new BufferGeometry();
+    this.positions = dynamic(capacity, 3);
+    this.colors = dynamic(capacity, 4);
+    geometry.setAttribute("position", this.positions);
+    geometry.setAttribute("color", this.colors);
+    geometry.setDrawRange(0, 0);
+    this.mesh = new Line(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true,
+      depthWrite: false }));
+    this.mesh.frustumCulled = false;
+  }
+
+  set(points: readonly { x: number; y: number; z: number }[]): void {
+    const count = Math.min(points.length, this.capacity);
+    const from = points.length - count;
+    parse.set(this.color);
+    for (let i = 0; i < count; i++) {
+      const p = points[from + i]!;
+      this.positions.setXYZ(i, p.x, p.y, p.z);
+      paint(this.colors, i, parse, 0.1 + (0.8 * i) / count);
+    }
+    this.positions.needsUpdate = true;
+    this.colors.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, count);
+  }
+}

@@ -1,0 +1,140 @@
+// All that is drawn of one vehicle: itself, its person, what it predicts and what it plans.
+import { Group } from "three";
+
+import type { PlannedTrajectory, TargetIntention, TargetPrediction } from "../data/messages.ts";
+import { Track } from "../data/words.ts";
+import { duration_s, samplePlan } from "../store/derive.ts";
+import { age_s, type State, type Vehicle } from "../store/state.ts";
+import { stale_s } from "../store/watch.ts";
+import { blue, colorOf, green, intentionColor, orange } from "../ui/palette.ts";
+import { PersonBody, VehicleBody } from "./bodies.ts";
+import { polytopeEdges } from "./corridor.ts";
+import { type Fan, FadingLine, Fans, type Point, Ribbon, Segments } from "./shapes.ts";
+import { voxelsOfMap, voxelsOfPoints, VoxelView } from "./voxels.ts";
+
+const planPoints = 48;
+const corridorPeriod_s = 0.2;
+const maxPaths = 6;
+const reach_m = 2.5; // to which visible regions are drawn
+
+export class VehicleView {
+  readonly group = new Group();
+  private readonly details = new Group(); // of the chosen vehicle only
+  private readonly body: VehicleBody;
+  private readonly person = new PersonBody(orange);
+  private readonly trail: FadingLine;
+  private readonly targetTrail = new FadingLine(900, orange);
+  private readonly plan = new Ribbon(planPoints + 1);
+  private readonly paths = Array.from({ length: maxPaths }, () => new Ribbon(64));
+  private readonly sectors = new Fans(4);
+  private readonly regions = new Fans(64);
+  private readonly corridor = new Segments(1500, green, 0.4);
+  private readonly voxels = new VoxelView();
+  private drawn = new WeakSet<object>(); // messages whose shapes are up to date
+  private corridor_s = -Infinity;
+  private trails = "";
+
+  constructor(vehicle: Vehicle) {
+    const color = colorOf(vehicle.index);
+    this.body = new VehicleBody(color);
+    this.trail = new FadingLine(900, color);
+    this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
+    this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
+      this.plan.mesh, this.voxels.mesh, this.details, ...this.paths.map((p) => p.mesh));
+  }
+
+  update(state: State, vehicle: Vehicle, chosen: boolean): void {
+    const { latest } = vehicle;
+    this.details.visible = chosen;
+    const odometry = latest["odometry"];
+    this.body.group.visible = odometry !== undefined;
+    if (odometry) this.body.place(odometry.message);
+    this.body.setCamera(latest["target/observation"]?.message.camera);
+    const target = latest["target/state"];
+    this.person.group.visible = target !== undefined;
+    if (target) this.person.place(target.message);
+    this.drawTrails(vehicle);
+    const fresh = (heard: { time_s: number } | undefined): boolean =>
+      heard !== undefined && age_s(state, heard) < stale_s;
+    const { "target/prediction": prediction, "plan/trajectory": plan } = latest;
+    this.paths.forEach((p) => (p.mesh.visible = fresh(prediction)));
+    this.plan.mesh.visible = fresh(plan);
+    if (prediction && this.isNew(prediction)) this.drawPaths(prediction.message);
+    if (plan && this.isNew(plan)) this.drawPlan(plan.message);
+    if (chosen) this.drawDetails(state, vehicle, fresh);
+    this.drawVoxels(vehicle);
+  }
+
+  private isNew(heard: object): boolean {
+    const fresh = !this.drawn.has(heard);
+    this.drawn.add(heard);
+    return fresh;
+  }
+
+  private drawTrails(vehicle: Vehicle): void {
+    const key = `${vehicle.trail.version} ${vehicle.targetTrail.version}`;
+    if (key === this.trails) return;
+    this.trails = key;
+    this.trail.set(vehicle.trail.points);
+    this.targetTrail.set(vehicle.targetTrail.points);
+  }
+
+  private drawPaths({ paths }: TargetPrediction): void {
+    this.paths.forEach((ribbon, i) => {
+      const path = paths[i];
+      if (!path) return ribbon.set([], 0, () => blue, () => 0);
+      const p = Math.min(1, Math.max(0, path.probability));
+      const color = intentionColor(path.name, path.intention);
+      const points = path.states.map(({ position_m: at }): Point =>
+        [at[0]!, at[1]!, 0.06 + 0.02 * i]);
+      ribbon.set(points, 0.05 + 0.22 * p, () => color, (share) => (0.15 + 0.85 * p) * (1 - 0.4 * share));
+    });
+  }
+
+  private drawPlan(plan: PlannedTrajectory): void {
+    const points = samplePlan(plan, planPoints);
+    const tail = duration_s(plan) > 0 ? plan.tail_start_s / duration_s(plan) : 1;
+    const isTail = (i: number): boolean => i / planPoints > tail;
+    this.plan.set(points, 0.09, (i) => (isTail(i) ? orange : green),
+      (share) => (share > tail ? 0.45 : 0.95));
+  }
+
+  private drawDetails(state: State, vehicle: Vehicle, fresh: (h?: { time_s: number }) => boolean): void {
+    const { "target/intention": intention, "plan/trajectory": plan, "target/state": target } =
+      vehicle.latest;
+    this.sectors.mesh.visible = fresh(intention) && target?.message.status !== Track.lost;
+    this.regions.mesh.visible = fresh(plan);
+    this.corridor.mesh.visible = fresh(plan);
+    if (intention && this.isNew(intention)) this.drawSectors(intention.message);
+    if (!plan || Math.abs(state.now_s - this.corridor_s) < corridorPeriod_s) return;
+    this.corridor_s = state.now_s;
+    this.regions.set(plan.message.visible_regions.map((region): Fan => ({
+      center: [region.target_position_m[0]!, region.target_position_m[1]!, 0.03],
+      radius_m: reach_m, bisector_rad: region.bisector_yaw_rad, half_rad: region.half_angle_rad,
+      color: blue, alpha: 0.5 / Math.max(4, plan.message.visible_regions.length),
+    })));
+    this.corridor.set(plan.message.corridor.flatMap(({ faces }) =>
+      polytopeEdges(faces.slice(0, 40))));
+  }
+
+  private drawSectors({ region_now, region_ahead }: TargetIntention): void {
+    this.sectors.set([region_now, region_ahead].flatMap((region, i): Fan[] => {
+      const center: Point = [region.center_m[0]!, region.center_m[1]!, 0.045];
+      const common = { center, radius_m: region.radius_m, alpha: i === 0 ? 0.5 : 0.25 };
+      return [
+        { ...common, bisector_rad: region.left_bisector_yaw_rad,
+          half_rad: region.left_half_angle_rad, color: orange },
+        { ...common, bisector_rad: region.right_bisector_yaw_rad,
+          half_rad: region.right_half_angle_rad, color: green },
+      ];
+    }));
+  }
+
+  private drawVoxels(vehicle: Vehicle): void {
+    const { "map/points": points, "map/local": map } = vehicle.latest;
+    const usePoints = points && (!map || map.time_s - points.time_s < 3);
+    const heard = usePoints ? points : map;
+    if (!heard || !this.isNew(heard)) return;
+    this.voxels.set(usePoints ? voxelsOfPoints(points.message) : voxelsOfMap(map!.message));
+  }
+}

@@ -1,0 +1,61 @@
+// Quantities that no topic carries.
+import type { Odometry, PlannedTrajectory, Quaternion, TargetState, TrajectoryPiece,
+} from "../data/messages.ts";
+import { Track } from "../data/words.ts";
+
+export function yawOf(q: Quaternion): number {
+  return Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
+}
+
+export function wrap(angle_rad: number): number {
+  return Math.atan2(Math.sin(angle_rad), Math.cos(angle_rad));
+}
+
+/** Horizontal, from the vehicle to the estimated person; null: not known. */
+export function distance_m(odometry?: Odometry, target?: TargetState): number | null {
+  if (!odometry || !target || target.status === Track.none) return null;
+  const from = odometry.pose.pose.position;
+  return Math.hypot(target.position_m[0]! - from.x, target.position_m[1]! - from.y);
+}
+
+/** Bearing of the person off the nose, left positive; null: not known. */
+export function yawError_rad(odometry?: Odometry, target?: TargetState): number | null {
+  if (!odometry || !target || target.status === Track.none) return null;
+  const { position, orientation } = odometry.pose.pose;
+  const bearing = Math.atan2(target.position_m[1]! - position.y,
+    target.position_m[0]! - position.x);
+  return wrap(bearing - yawOf(orientation));
+}
+
+export function speed_mps(odometry: Odometry): number {
+  const v = odometry.twist.twist.linear;
+  return Math.hypot(v.x, v.y, v.z);
+}
+
+export function duration_s(plan: PlannedTrajectory): number {
+  return plan.pieces.reduce((sum, piece) => sum + piece.duration_s, 0);
+}
+
+function at(piece: TrajectoryPiece, t: number, axis: number): number {
+  let value = 0;
+  for (let power = 5; power >= 0; power--)
+    value = value * t + piece.coefficients[power]![axis]!;
+  return value;
+}
+
+/** count + 1 points, evenly in time from the start, as x, y, z triples. */
+export function samplePlan(plan: PlannedTrajectory, count: number): [number, number, number][] {
+  const points: [number, number, number][] = [];
+  const total_s = duration_s(plan);
+  let index = 0;
+  let begin_s = 0;
+  for (let i = 0; i <= count && plan.pieces.length > 0; i++) {
+    const t = (total_s * i) / count;
+    while (index + 1 < plan.pieces.length && t > begin_s + plan.pieces[index]!.duration_s)
+      begin_s += plan.pieces[index++]!.duration_s;
+    const piece = plan.pieces[index]!;
+    const local_s = Math.min(t - begin_s, piece.duration_s);
+    points.push([at(piece, local_s, 0), at(piece, local_s, 1), at(piece, local_s, 2)]);
+  }
+  return points;
+}

@@ -1,0 +1,145 @@
+// What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
+import {
+  type BatteryStatus, type MissionCommand, type Odometry, type PlannedTrajectory, seconds,
+  type SafetyState, type ServiceHealth, type TargetIntention, type TargetState,
+} from "../data/messages.ts";
+import type { Sample } from "../data/sample.ts";
+import * as words from "../data/words.ts";
+import { GateReason, Mode, PlanState, ServiceState, Track } from "../data/words.ts";
+import { hold, note } from "./alarms.ts";
+import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
+import type { Rung, Severity, State, Vehicle } from "./state.ts";
+
+type Fold = (state: State, vehicle: Vehicle, sample: Sample) => void;
+
+const foldOdometry: Fold = (_state, vehicle, { message, time_s }) => {
+  const odometry = message as Odometry;
+  const { x, y, z } = odometry.pose.pose.position;
+  vehicle.trail.push(time_s, x, y, z);
+  const target = vehicle.latest["target/state"]?.message;
+  const v = target && target.status !== Track.none
+    ? Math.hypot(target.velocity_mps[0]!, target.velocity_mps[1]!) : null;
+  const error = yawError_rad(odometry, target);
+  vehicle.speed.push(time_s, [speed_mps(odometry), v]);
+  vehicle.distance.push(time_s, [distance_m(odometry, target)]);
+  vehicle.yawError.push(time_s, [error === null ? null : (error * 180) / Math.PI]);
+};
+
+const foldTarget: Fold = (state, vehicle, { message, time_s }) => {
+  const target = message as TargetState;
+  extend(vehicle.lanes.person, time_s, target.status, words.trackWord(target.status), "");
+  if (target.status === Track.none) return;
+  const [x, y, z] = [target.position_m[0]!, target.position_m[1]!, target.position_m[2]!];
+  vehicle.targetTrail.push(time_s, x, y, z);
+  hold(state, vehicle.name, "target", target.status === Track.lost, "warning",
+    "the person is lost");
+};
+
+const foldIntention: Fold = (_state, vehicle, { message, time_s }) => {
+  const { intentions } = message as TargetIntention;
+  vehicle.intention.pushNamed(time_s, new Map(intentions.map((i) => [i.name, i.probability])));
+};
+
+const foldPlan: Fold = (state, vehicle, { message, time_s }) => {
+  const plan = message as PlannedTrajectory;
+  const times = new Map(plan.stage_times.filter((s) => s.stage !== "total")
+    .map((s) => [s.stage, s.ms]));
+  const prediction = vehicle.latest["target/prediction"]?.message;
+  if (prediction) times.set("predict", prediction.compute_ms);
+  vehicle.planTime.pushNamed(time_s, times);
+  const why = plan.reason === 0 ? "" : words.explainPlan(plan.reason);
+  extend(vehicle.lanes.plan, time_s, plan.status, words.planWord(plan.status), why);
+  const bad = plan.status === PlanState.none || plan.status === PlanState.search ||
+    plan.status === PlanState.hold;
+  hold(state, vehicle.name, "plan", bad, "warning",
+    `plan: ${words.planWord(plan.status)}, ${words.explainPlan(plan.reason)}`);
+};
+
+export function severityOf(safety: SafetyState): Severity {
+  const ordered = safety.reason === GateReason.mission || safety.reason === GateReason.none;
+  if (safety.mode === Mode.brake) return ordered ? "warning" : "alarm";
+  if (safety.mode === Mode.silent) return safety.armed ? "alarm" : "warning";
+  if (safety.mode === Mode.track || ordered) return "info";
+  return "warning";
+}
+
+const foldSafety: Fold = (state, vehicle, { message, time_s }) => {
+  const safety = message as SafetyState;
+  compare(state, vehicle, safety);
+  climb(state, vehicle, safety, time_s);
+  const cause_s = seconds(safety.caused_by);
+  if (safety.setpoint_valid && cause_s > vehicle.caused_by_s) {
+    vehicle.caused_by_s = cause_s;
+    vehicle.latency.push(time_s, [1e3 * (seconds(safety.header.stamp) - cause_s)]);
+  } else if (cause_s > 0 && cause_s < vehicle.caused_by_s - 5) {
+    vehicle.caused_by_s = cause_s; // the flight's clock began anew
+  }
+};
+
+/** A reason that keeps changing while the state stays makes new rungs; silence makes a gap. */
+function extend(rungs: Rung[], time_s: number, state: number, word: string, why: string): boolean {
+  const last = rungs[rungs.length - 1];
+  const goesOn = last !== undefined && time_s - last.to_s < 2;
+  if (goesOn) last.to_s = time_s;
+  if (goesOn && last.state === state && last.why === why) return false;
+  rungs.push({ from_s: time_s, to_s: time_s, state, word, why });
+  if (rungs.length > 2000) rungs.splice(0, 500);
+  return true;
+}
+
+function climb(state: State, vehicle: Vehicle, safety: SafetyState, time_s: number): void {
+  const why = safety.reason === GateReason.none ? "" : words.explainGate(safety.reason);
+  const word = words.modeWord(safety.mode);
+  extend(vehicle.lanes.mission, time_s, safety.phase, words.phaseWord(safety.phase), "");
+  if (!extend(vehicle.lanes.gate, time_s, safety.mode, word, why)) return;
+  const severity = severityOf(safety);
+  const text = `gate: ${word}${why && `, ${why}`}`;
+  if (severity === "info") note(state, vehicle.name, "info", text);
+  hold(state, vehicle.name, "gate", severity !== "info", severity, text);
+}
+
+function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
+  const before = vehicle.latest["safety/state"]?.message;
+  if (!before) return;
+  if (before.phase !== now.phase)
+    note(state, vehicle.name, "info", `mission: ${words.phaseWord(now.phase)}`);
+  if (before.armed !== now.armed) note(state, vehicle.name, "info", now.armed ? "armed" : "disarmed");
+  if (before.offboard !== now.offboard)
+    note(state, vehicle.name, "info", now.offboard ? "in offboard mode" : "left offboard mode");
+  if (before.command_id !== now.command_id || before.command_result !== now.command_result)
+    note(state, vehicle.name, now.command_result > 1 ? "warning" : "info",
+      `command ${now.command_id} of ${now.operator_id || "someone"}: ` +
+      words.resultWord(now.command_result));
+}
+
+const foldCommand: Fold = (state, vehicle, { message }) => {
+  const order = message as MissionCommand;
+  note(state, vehicle.name, "info",
+    `${order.operator_id || "someone"} orders: ${words.commandWord(order.command)}`);
+};
+
+const foldHealth: Fold = (state, vehicle, { message }) => {
+  const health = message as ServiceHealth;
+  const degraded = health.state === ServiceState.degraded;
+  hold(state, vehicle.name, `service ${health.service}`, degraded, "warning",
+    `${health.service}: degraded, ${health.last_error}`);
+  hold(state, vehicle.name, `foreign ${health.service}`, health.foreign_endpoints > 0, "warning",
+    `${health.service}: ${health.foreign_endpoints} endpoints of a foreign type`);
+};
+
+const foldBattery: Fold = (state, vehicle, { message }) => {
+  const battery = message as BatteryStatus;
+  hold(state, vehicle.name, "battery", battery.warning > 0, battery.warning > 1 ? "alarm" : "warning",
+    `battery: ${words.batteryWord(battery.warning)}, ${Math.round(100 * battery.remaining)} %`);
+};
+
+export const folders: Record<string, Fold> = {
+  "odometry": foldOdometry,
+  "target/state": foldTarget,
+  "target/intention": foldIntention,
+  "plan/trajectory": foldPlan,
+  "safety/state": foldSafety,
+  "mission/command": foldCommand,
+  "health": foldHealth,
+  "fmu/out/battery_status": foldBattery,
+};

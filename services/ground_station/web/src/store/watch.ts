@@ -1,0 +1,51 @@
+// Conditions that come with the passing of time, and with the station's own report.
+import type { StationStatus } from "../data/station.ts";
+import { hold, note } from "./alarms.ts";
+import { age_s, type State } from "./state.ts";
+
+export const stale_s = 1.0; // state topics come at 20 Hz and more
+export const gone_s = 2.5; // a vehicle that says nothing at all
+export const silent_s = 3.5; // a service; its health comes once a second
+
+export function watchTime(state: State): void {
+  for (const vehicle of state.vehicles.values()) {
+    const quiet_s = state.now_s - vehicle.heard_s;
+    const gone = quiet_s > gone_s;
+    hold(state, vehicle.name, "silent", gone, "alarm",
+      `nothing heard for ${quiet_s.toFixed(0)} s`);
+    const gate_s = age_s(state, vehicle.latest["safety/state"]);
+    hold(state, vehicle.name, "gate silent", !gone && gate_s > stale_s, "alarm",
+      `the safety gate is silent for ${gate_s.toFixed(0)} s`);
+    for (const [name, heard] of vehicle.services) {
+      const service_s = age_s(state, heard);
+      hold(state, vehicle.name, `service silent ${name}`, !gone && service_s > silent_s, "alarm",
+        `${name}: silent for ${service_s.toFixed(0)} s`);
+    }
+  }
+}
+
+export function hearStation(state: State, status: StationStatus): void {
+  for (const topic of status.topics) {
+    hold(state, topic.vehicle ?? "", `qos ${topic.topic}`, Boolean(topic.qos_mismatch), "warning",
+      `${topic.topic}: quality of service does not match`);
+    hold(state, topic.vehicle ?? "", `foreign ${topic.topic}`, Boolean(topic.foreign_type),
+      "warning", `${topic.topic}: a foreign type, ${topic.foreign_type}`);
+  }
+}
+
+/** What changed from one report of the station to the next: leases, commands, recording. */
+export function compareStations(state: State, before: StationStatus, now: StationStatus): void {
+  for (const vehicle of now.vehicles) {
+    const was = before.vehicles.find((v) => v.name === vehicle.name);
+    const [from, to] = [was?.lease?.operator ?? "", vehicle.lease?.operator ?? ""];
+    if (from !== to)
+      note(state, vehicle.name, "info", to ? `${to} has control` : `${from} gave up control`);
+    const command = vehicle.last_command;
+    if (command && command.reason && command.id !== was?.last_command?.id)
+      note(state, vehicle.name, "warning",
+        `${command.command} of ${command.operator}: ${command.result}, ${command.reason}`);
+  }
+  const [was, is] = [before.recording?.active ?? false, now.recording?.active ?? false];
+  if (was !== is)
+    note(state, "", "info", is ? `recording ${now.recording?.file}` : "recording ended");
+}

@@ -1,0 +1,18 @@
+// Opens a recording, of this machine or of the station, and shows it. What reads MCAP is loaded
+// only now.
+import type { Session } from "./session.ts";
+
+export async function openRecording(session: Session, from: File | string): Promise<void> {
+  const name = typeof from === "string" ? from : from.name;
+  session.notice(`opening ${name} …`);
+  try {
+    const { Recording, readableAt, readableOf } = await import("../data/recording.ts");
+    const readable = typeof from === "string"
+      ? readableAt(`recordings/${encodeURIComponent(from)}`, session.operator.headers())
+      : readableOf(from);
+    session.startReplay(await Recording.open(name, readable));
+    session.notice("");
+  } catch (error) {
+    session.notice(`${name} cannot be replayed: ${(error as Error).message}`);
+  }
+}

@@ -1,0 +1,77 @@
+// Who commands, with which token; and the requests to the station.
+import type { Answer, Recording, StationStatus } from "../data/station.ts";
+
+export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop";
+export type LeaseAction = "take" | "release" | "hand_over";
+
+const nameKey = "foretrack.operator";
+const tokenKey = "foretrack.token";
+
+export class Operator {
+  private name_ = localStorage.getItem(nameKey) ?? "";
+  token = tokenOfAddress() ?? sessionStorage.getItem(tokenKey) ?? "";
+
+  get name(): string {
+    return this.name_;
+  }
+  set name(name: string) {
+    this.name_ = name.trim().slice(0, 64);
+    localStorage.setItem(nameKey, this.name_);
+  }
+  setToken(token: string): void {
+    this.token = token.trim();
+    sessionStorage.setItem(tokenKey, this.token);
+  }
+  /** A WebSocket of a browser cannot carry headers. */
+  query(): string {
+    return this.token ? `?token=${encodeURIComponent(this.token)}` : "";
+  }
+  headers(): Record<string, string> {
+    return this.token ? { Authorization: `Bearer ${this.token}` } : {};
+  }
+
+  lease(vehicle: string, action: LeaseAction, to?: string): Promise<Answer> {
+    return this.post("lease", { vehicle, operator: this.name, action, ...(to ? { to } : {}) });
+  }
+  command(vehicle: string, command: Command): Promise<Answer> {
+    return this.post("command", { vehicle, command, operator: this.name });
+  }
+  record(action: "start" | "stop"): Promise<Answer> {
+    return this.post("record", { action });
+  }
+  async recordings(): Promise<Recording[]> {
+    const answer = await fetch("api/recordings", { headers: this.headers() });
+    if (!answer.ok) throw new Error(`HTTP ${answer.status}`);
+    const body = (await answer.json()) as Recording[] | { recordings: Recording[] };
+    return Array.isArray(body) ? body : body.recordings;
+  }
+  async status(): Promise<StationStatus> {
+    const answer = await fetch("api/status", { headers: this.headers() });
+    return (await answer.json()) as StationStatus;
+  }
+
+  /** Never throws: what fails is a refusal with a reason. */
+  private async post(path: string, body: object): Promise<Answer> {
+    try {
+      const answer = await fetch(`api/${path}`, {
+        method: "POST",
+        headers: { "Content-Type": "application/json", ...this.headers() },
+        body: JSON.stringify(body),
+        signal: AbortSignal.timeout(5000),
+      });
+      const said = (await answer.json().catch(() => null)) as Answer | null;
+      return said ?? { ok: answer.ok, reason: `HTTP ${answer.status}` };
+    } catch (error) {
+      return { ok: false, reason: `the station does not answer: ${(error as Error).message}` };
+    }
+  }
+}
+
+// #token=… is kept for this tab and taken out of the address.
+function tokenOfAddress(): string | null {
+  const token = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (!token) return null;
+  sessionStorage.setItem(tokenKey, token);
+  history.replaceState(null, "", location.pathname + location.search);
+  return token;
+}

@@ -1,0 +1,23 @@
+// Orders and leases, and what came of them.
+import type { Command, LeaseAction } from "./operator.ts";
+import type { Session } from "./session.ts";
+
+export async function order(session: Session, vehicle: string, command: Command): Promise<void> {
+  if (!vehicle) return session.notice("no vehicle to command");
+  session.notice(`${command} ${vehicle} …`);
+  const { ok, reason } = await session.operator.command(vehicle, command);
+  session.notice(ok ? `${command} ${vehicle}: sent` : `${command} ${vehicle}: refused, ${reason}`, !ok);
+}
+
+export async function lease(session: Session, vehicle: string, action: LeaseAction,
+                            to?: string): Promise<void> {
+  const { ok, reason } = await session.operator.lease(vehicle, action, to);
+  const words = { take: "control taken", release: "control released", hand_over: "handed over" };
+  session.notice(ok ? `${vehicle}: ${words[action]}` : `${vehicle}: refused, ${reason}`, !ok);
+}
+
+export async function record(session: Session, action: "start" | "stop"): Promise<void> {
+  const { ok, reason } = await session.operator.record(action);
+  session.notice(ok ? `recording: ${action === "start" ? "started" : "ended"}`
+    : `recording: refused, ${reason}`, !ok);
+}

@@ -1,0 +1,26 @@
+// Colours that the colour-blind can tell apart (after Okabe and Ito); never the only sign.
+
+export const blue = "#56b4e9";
+export const orange = "#e69f00";
+export const green = "#2fc79b";
+export const yellow = "#f0e442";
+export const deep = "#4d8dff";
+export const red = "#ff6b3d"; // vermillion, lighter
+export const pink = "#d98cbb";
+export const grey = "#8a97a5";
+
+const cycle = [blue, orange, green, pink, yellow, deep, red, grey];
+export const colorOf = (index: number): string => cycle[index % cycle.length]!;
+
+const intentions: Record<string, string> = {
+  forward: blue, left: orange, right: green, deceleration: pink,
+};
+const ids = [blue, orange, green, pink];
+
+export function intentionColor(name: string, index: number): string {
+  const known = Object.keys(intentions).find((word) => name.includes(word));
+  return known ? intentions[known]! : ids[index] ?? colorOf(index);
+}
+
+/** Track, coast, hover, brake, silent: lighter is worse, and each has its height in the ladder. */
+export const modeColors = [blue, yellow, orange, red, pink];

@@ -1,0 +1,117 @@
+// What the page does: the live link, perhaps a replay, and which of the two is shown.
+import { Intake } from "../data/intake.ts";
+import { LiveLink } from "../data/live.ts";
+import type { Recording } from "../data/recording.ts";
+import { Replay } from "../data/replay.ts";
+import type { RawSample } from "../data/sample.ts";
+import { type Input, reduce } from "../store/reduce.ts";
+import { makeState, type State, type Vehicle } from "../store/state.ts";
+import { Operator } from "./operator.ts";
+
+interface Stage { state: State; intake: Intake }
+
+function makeStage(): Stage {
+  const state = makeState();
+  const intake = new Intake((text) => reduce(state, { kind: "problem", text }));
+  return { state, intake };
+}
+
+function feed(stage: Stage, samples: RawSample[], now_s: number): void {
+  for (const sample of stage.intake.take(samples)) reduce(stage.state, { kind: "sample", sample });
+  reduce(stage.state, { kind: "time", now_s });
+}
+
+export class Session {
+  readonly operator = new Operator();
+  readonly link: LiveLink;
+  replay: Replay | null = null;
+  chosen = ""; // vehicle
+  span_s = 30; // of the plots
+  band_m: [number, number] = [1.5, 2.5]; // of distance that the planner keeps
+  generation = 0; // of the shown state: the scene and the plots begin anew
+  message = { text: "", bad: false }; // the answer to the last order, for some seconds
+  private readonly live = makeStage();
+  private replayed: Stage = makeStage();
+  private readonly listeners = new Set<() => void>();
+
+  constructor(url: string) {
+    const { state } = this.live;
+    this.link = new LiveLink(() => url + this.operator.query(), {
+      link: (open, reason) => this.tell({ kind: "link", open, reason }),
+      problem: (text) => reduce(state, { kind: "problem", text }),
+    });
+  }
+
+  /** The state that is shown: live, or the recording's. */
+  get state(): State {
+    return this.replay ? this.replayed.state : this.live.state;
+  }
+  /** What the station says now, also while a recording is shown. */
+  get liveState(): State {
+    return this.live.state;
+  }
+  get vehicle(): Vehicle | undefined {
+    const { vehicles } = this.state;
+    return vehicles.get(this.chosen) ?? vehicles.values().next().value;
+  }
+
+  /** The vehicle that orders go to: of the live ones, also while a recording is shown. */
+  get commanded(): string {
+    const { vehicles, station } = this.live.state;
+    const name = this.vehicle?.name;
+    if (name !== undefined && vehicles.has(name)) return name;
+    return vehicles.keys().next().value ?? station?.message.vehicles[0]?.name ?? "";
+  }
+
+  /** Once a frame. */
+  frame(): void {
+    feed(this.live, this.link.take(), this.link.now_s());
+    if (!this.replay) return;
+    const { restart, now_s, samples } = this.replay.take();
+    if (restart) this.beginAnew();
+    feed(this.replayed, samples, now_s);
+  }
+
+  choose(name: string): void {
+    this.chosen = name;
+    this.changed();
+  }
+  startReplay(recording: Recording): void {
+    this.replay = new Replay(recording);
+    this.beginAnew();
+    this.replay.play(true);
+    this.changed();
+  }
+  endReplay(): void {
+    this.replay = null;
+    this.generation++;
+    this.changed();
+  }
+  tell(input: Input): void {
+    reduce(input.kind === "acknowledge" ? this.state : this.live.state, input);
+    this.changed();
+  }
+
+  notice(text: string, bad = false): void {
+    this.message = { text, bad };
+    this.changed();
+    if (text) setTimeout(() => this.message.text === text && this.notice(""), 8000);
+  }
+
+  /** Called when something is to be drawn anew at once; else panels draw four times a second. */
+  onChange(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+  changed(): void {
+    this.listeners.forEach((listener) => listener());
+  }
+
+  // Acknowledged alarms stay so through a seek.
+  private beginAnew(): void {
+    const acknowledged = [...this.replayed.state.alarms.values()].filter((a) => a.acknowledged);
+    this.replayed = makeStage();
+    for (const alarm of acknowledged) this.replayed.state.alarms.set(alarm.key, alarm);
+    this.generation++;
+  }
+}

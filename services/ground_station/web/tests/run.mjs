@@ -1,0 +1,31 @@
+// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser: bundles tests/<kind>/*.test.ts and runs them by node's runner.
+// Exits with 77, which ctest takes for skipped, where npm's packages were not installed.
+import { spawnSync } from "node:child_process";
+import { existsSync, readdirSync, rmSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const web = dirname(here);
+const kind = process.argv[2] ?? "unit";
+if (!existsSync(join(web, "node_modules"))) {
+  console.log("skipped: the page's packages are not installed (npm ci, or ./run build)");
+  process.exit(77);
+}
+if (kind === "types") {
+  const tsc = join(web, "node_modules/typescript/bin/tsc");
+  process.exit(spawnSync(process.execPath, [tsc, "--noEmit", "-p", web],
+    { stdio: "inherit" }).status ?? 1);
+}
+const { build } = await import("esbuild");
+const out = join(web, "node_modules", ".tests", kind);
+rmSync(out, { recursive: true, force: true });
+const names = readdirSync(join(here, kind)).filter((name) => name.endsWith(".test.ts"));
+await build({ absWorkingDir: web, entryPoints: names.map((name) => join("tests", kind, name)),
+  outdir: out, outExtension: { ".js": ".mjs" }, bundle: true, platform: "node", format: "esm",
+  packages: "external", target: "node18", jsx: "automatic", jsxImportSource: "preact",
+  logLevel: "warning" });
+const files = names.map((name) => join(out, name.replace(/\.ts$/, ".mjs")));
+const { status } = spawnSync(process.execPath, ["--test", ...files],
+  { stdio: "inherit", cwd: web });
+process.exit(status ?? 1);

@@ -1,0 +1,184 @@
+// A stand-in for the station, for work on the page without DDS: node tests/stand_in.mjs [--port N]
+// [--vehicles N]. Foxglove protocol at /ws, the page, /api answers; a made-up flight.
+import { readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { WebSocketServer } from "ws";
+
+import { flatIdl } from "./flat_idl.mjs";
+import { encode, samplesAt, schemaNameOf, typeOf } from "./synthetic.mjs";
+
+const here = fileURLToPath(new URL(".", import.meta.url));
+const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
+  ".svg": "image/svg+xml", ".txt": "text/plain" };
+const policy = "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:";
+
+class StandIn {
+  channels = new Map(); // topic → channel
+  clients = new Map(); // socket → Map(channel id → subscription id)
+  leases = new Map();
+  last = new Map();
+  orders = new Map();
+  paused = false;
+
+  constructor({ port = 0, vehicles = 1, dist = join(here, "../dist") } = {}) {
+    this.dist = dist;
+    this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
+    this.http = createServer((request, response) => void this.answer(request, response));
+    this.sockets = new WebSocketServer({ server: this.http, path: "/ws",
+      handleProtocols: () => "foxglove.websocket.v1" });
+    this.sockets.on("connection", (socket) => this.welcome(socket));
+    this.http.listen(port, "127.0.0.1");
+    this.begin_ms = Date.now();
+    this.step = 0;
+    this.timer = setInterval(() => this.advance(), 10);
+    this.reporter = setInterval(() => this.report(), 500);
+  }
+
+  get url() {
+    return `http://127.0.0.1:${this.http.address().port}/`;
+  }
+
+  close() {
+    clearInterval(this.timer);
+    clearInterval(this.reporter);
+    this.sockets.close();
+    for (const socket of this.clients.keys()) socket.terminate();
+    this.http.close();
+  }
+
+  channel(topic, type) {
+    let channel = this.channels.get(topic);
+    if (channel) return channel;
+    channel = type === null
+      ? { id: this.channels.size + 1, topic, encoding: "json", schemaName: "station", schema: "{}",
+          schemaEncoding: "jsonschema" }
+      : { id: this.channels.size + 1, topic, encoding: "cdr", schemaName: schemaNameOf(type),
+          schema: flatIdl(type), schemaEncoding: "omgidl" };
+    this.channels.set(topic, channel);
+    for (const socket of this.clients.keys())
+      socket.send(JSON.stringify({ op: "advertise", channels: [channel] }));
+    return channel;
+  }
+
+  welcome(socket) {
+    const subscriptions = new Map();
+    this.clients.set(socket, subscriptions);
+    socket.send(JSON.stringify({ op: "serverInfo", name: "stand-in", capabilities: [] }));
+    socket.send(JSON.stringify({ op: "advertise", channels: [...this.channels.values()] }));
+    socket.on("message", (data) => {
+      const said = JSON.parse(data.toString());
+      for (const s of said.subscriptions ?? []) subscriptions.set(s.channelId, s.id);
+    });
+    socket.on("close", () => this.clients.delete(socket));
+  }
+
+  send(topic, type, bytes) {
+    const channel = this.channel(topic, type);
+    for (const [socket, subscriptions] of this.clients) {
+      const id = subscriptions.get(channel.id);
+      if (id === undefined) continue;
+      const frame = Buffer.alloc(13 + bytes.byteLength);
+      frame.writeUInt8(1, 0);
+      frame.writeUInt32LE(id, 1);
+      frame.writeBigUInt64LE(BigInt(Date.now()) * 1000000n, 5);
+      frame.set(bytes, 13);
+      socket.send(frame);
+    }
+  }
+
+  advance() {
+    const until = Math.floor((Date.now() - this.begin_ms) / 10);
+    if (until - this.step > 50) this.step = until - 50;
+    while (this.step < until) {
+      this.step++;
+      if (this.paused) continue;
+      this.names.forEach((name, index) => {
+        for (const [topic, message] of samplesAt(this.step / 100, this.step, index,
+          this.orders.get(name)))
+          this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
+      });
+    }
+  }
+
+  status() {
+    return {
+      server: { version: "stand-in", uptime_s: (Date.now() - this.begin_ms) / 1000,
+        clients: this.clients.size, control_enabled: true, needs_token: false },
+      vehicles: this.names.map((name) => ({ name, seen_s_ago: 0,
+        lease: this.leases.has(name) ? { operator: this.leases.get(name), expires_s: 30 } : null,
+        last_command: this.last.get(name) ?? null })),
+      recording: null, clients: [],
+      topics: [...this.channels.values()].map((c) => ({ topic: c.topic, type: c.schemaName,
+        vehicle: c.topic.split("/")[1], writers: 1, readers: 2, rate_hz: 25, bytes_s: 9000,
+        age_s: 0.1, limited: false, qos_mismatch: false, foreign_type: false })),
+    };
+  }
+
+  report() {
+    this.send("/station/status", null, Buffer.from(JSON.stringify(this.status())));
+  }
+
+  async answer(request, response) {
+    const path = new URL(request.url, "http://host").pathname;
+    if (path.startsWith("/api/")) return this.api(path.slice(5), request, response);
+    const file = path === "/" ? "index.html" : path.slice(1);
+    try {
+      const body = readFileSync(join(this.dist, file));
+      response.writeHead(200, { "Content-Type": kinds[extname(file)] ?? "application/octet-stream",
+        "Content-Security-Policy": policy });
+      response.end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  }
+
+  async api(path, request, response) {
+    let text = "";
+    for await (const part of request) text += part;
+    const said = text ? JSON.parse(text) : {};
+    const body = path === "status" ? this.status() : path === "recordings" ? []
+      : path === "lease" ? this.lease(said) : path === "command" ? this.command(said)
+        : { ok: false, reason: "not in the stand-in" };
+    response.writeHead(200, { "Content-Type": "application/json" }).end(JSON.stringify(body));
+    this.report();
+  }
+
+  lease({ vehicle, operator, action, to }) {
+    const holder = this.leases.get(vehicle);
+    if (holder && holder !== operator) return { ok: false, reason: `${holder} has control` };
+    if (action === "release") this.leases.delete(vehicle);
+    else this.leases.set(vehicle, action === "hand_over" ? to : operator);
+    return { ok: true, reason: "" };
+  }
+
+  command({ vehicle, command, operator }) {
+    const holder = this.leases.get(vehicle);
+    const ok = command === "stop" || holder === operator;
+    const id = (this.last.get(vehicle)?.id ?? 0) + 1;
+    this.last.set(vehicle, { id, command, operator, result: ok ? "accepted" : "refused",
+      reason: ok ? "" : "no lease" });
+    if (ok && command === "stop")
+      this.orders.set(vehicle, { mode: 3, reason: 9, phase: 5, command_id: BigInt(id),
+        command_result: 1, operator_id: operator });
+    if (ok && command === "start") this.orders.delete(vehicle);
+    return { ok, reason: ok ? "" : "no lease" };
+  }
+}
+
+export function startStandIn(options) {
+  return new Promise((resolve) => {
+    const station = new StandIn(options);
+    station.http.once("listening", () => resolve(station));
+  });
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const option = (name, otherwise) => {
+    const at = process.argv.indexOf(`--${name}`);
+    return at < 0 ? otherwise : Number(process.argv[at + 1]);
+  };
+  const station = await startStandIn({ port: option("port", 8090), vehicles: option("vehicles", 1) });
+  console.log(station.url);
+}

@@ -1,0 +1,79 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import type { CorridorFace, LocalMap, PointCloud2 } from "../../src/data/messages.ts";
+import { stacked } from "../../src/plots/frames.ts";
+import { polytopeEdges } from "../../src/scene/corridor.ts";
+import { columns, voxelsOfMap, voxelsOfPoints } from "../../src/scene/voxels.ts";
+import { Series, Trail } from "../../src/store/series.ts";
+
+const cube: CorridorFace[] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
+  .map((normal) => ({ normal, offset_m: 1 }));
+
+test("a cube has twelve edges of its side's length, also with a face that only touches it", () => {
+  for (const faces of [cube, [...cube, { normal: [1, 0, 0], offset_m: 5 }]]) {
+    const edges = polytopeEdges(faces);
+    assert.equal(edges.length, 12);
+    for (const [a, b] of edges)
+      assert.ok(Math.abs(Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) - 2) < 1e-9);
+  }
+});
+
+test("an empty polytope has no edges", () => {
+  assert.equal(polytopeEdges([...cube, { normal: [1, 0, 0], offset_m: -2 }]).length, 0);
+});
+
+function mapOf(occupied: [number, number, number][]): LocalMap {
+  const cells = new Uint8Array(4 * 4 * 8);
+  for (const [i, j, k] of occupied) cells[i + 4 * (j + 4 * k)] = 1;
+  cells[5] = 2; // unknown is not occupied
+  return { header: { stamp: { sec: 0 }, frame_id: "map" }, resolution_m: 0.5, origin_m: [-1, 0, 0],
+    size_x: 4, size_y: 4, size_z: 8, cells };
+}
+
+test("cells above each other are one column, a gap makes two", () => {
+  const found = columns(voxelsOfMap(mapOf([[0, 0, 0], [0, 0, 1], [0, 0, 4], [2, 3, 7]])));
+  assert.deepEqual(found, [
+    { x: -0.75, y: 0.25, low_m: 0, high_m: 1 }, { x: -0.75, y: 0.25, low_m: 2, high_m: 2.5 },
+    { x: 0.25, y: 1.75, low_m: 3.5, high_m: 4 }]);
+});
+
+test("the cloud of a map's cells gives the map's voxels", () => {
+  const map = voxelsOfMap(mapOf([[0, 0, 0], [1, 0, 0], [3, 0, 0], [2, 2, 5]]));
+  const cloud: PointCloud2 = { header: { stamp: { sec: 0 }, frame_id: "map" }, height: 1,
+    width: map.centers.length / 3, point_step: 12, data: new Uint8Array(map.centers.buffer),
+    fields: ["x", "y", "z"].map((name, i) => ({ name, offset: 4 * i, datatype: 7 })) };
+  assert.deepEqual(voxelsOfPoints(cloud), map);
+});
+
+test("a stack's top is the sum, and a missing row stays missing", () => {
+  assert.deepEqual(stacked([[0.2, null, 0.5], [0.3, null, null]]), [[0.2, null, 0.5], [0.5, null, 0.5]]);
+});
+
+test("a series is thinned, shows gaps, and forgets what is old", () => {
+  const series = new Series(["a"], 0.04, 10);
+  for (let i = 0; i < 4000; i++) series.push(i / 100, [i]);
+  assert.ok(series.times.length < 400 && series.times[0]! > 20);
+  series.push(42, [1]);
+  const [before, last] = series.columns[0]!.slice(-2);
+  assert.deepEqual([before, last], [null, 1]);
+});
+
+test("names that come up later get columns of their own", () => {
+  const series = new Series([]);
+  series.pushNamed(0, new Map([["a", 1]]));
+  series.pushNamed(0.5, new Map([["b", 2]]));
+  assert.deepEqual([series.names, series.columns], [["a", "b"], [[1, null], [null, 2]]]);
+});
+
+test("a trail forgets where it was when its owner is put elsewhere", () => {
+  const trail = new Trail();
+  trail.push(0, 0, 0, 0);
+  trail.push(0.1, 0.01, 0, 0);
+  trail.push(0.2, 1, 0, 0);
+  assert.equal(trail.points.length, 2);
+  trail.push(0.3, 100, 0, 0);
+  assert.equal(trail.points.length, 1);
+  trail.push(0.4, NaN, 0, 0);
+  assert.equal(trail.points.length, 1);
+});
