@@ -8,7 +8,7 @@ import { readingOf } from "./topics.ts";
 
 const protocols = ["foxglove.websocket.v1", "foxglove.sdk.v1"];
 const retry_ms = 1000;
-const hearing_ms = 4000; // the station speaks twice a second; so long without a word: it hangs
+const deaf_s = 6; // the station speaks twice a second; so long without a word: it hangs
 
 export interface LiveEvents {
   link(open: boolean, reason: string): void;
@@ -19,9 +19,8 @@ export class LiveLink {
   private client: FoxgloveClient | null = null;
   private socket: WebSocket | null = null;
   private readonly queue = new SampleQueue();
-  private readonly announced = new Map<number, Channel>(); // by channel id
   private readonly subscribed = new Map<number, { channel: Channel; channelId: number }>();
-  private heard_ms = 0;
+  private quietTicks = 0; // seconds without a word, counted, so that a page that stood still is not deaf
   private closed = false;
   private readonly timer: ReturnType<typeof setInterval>;
   /** Station's clock minus ours, by the quickest sample of late. */
@@ -50,9 +49,8 @@ export class LiveLink {
 
   private connect(): void {
     if (this.closed) return;
-    this.announced.clear();
     this.subscribed.clear();
-    this.heard_ms = performance.now();
+    this.quietTicks = 0;
     const socket = new WebSocket(this.url(), protocols);
     const client = new FoxgloveClient({ ws: socket as unknown as IWebSocket });
     this.socket = socket;
@@ -63,7 +61,10 @@ export class LiveLink {
     client.on("status", (status) => {
       if (status.level > 0) this.events.problem(`station: ${status.message}`);
     });
-    client.on("advertise", (channels) => channels.forEach((c) => this.announce(client, c)));
+    client.on("advertise", (channels) => {
+      channels.forEach((c) => this.announce(client, c));
+      this.spare(client);
+    });
     client.on("unadvertise", (ids) => ids.forEach((id) => this.forget(id)));
     client.on("message", (message) => this.receive(message));
   }
@@ -82,20 +83,29 @@ export class LiveLink {
     const channel: Channel = { topic: c.topic, encoding: c.encoding, schemaName: c.schemaName,
       schemaEncoding: c.schemaEncoding ?? (c.encoding === "cdr" ? "ros2msg" : ""),
       schema: c.schema };
-    this.announced.set(c.id, channel);
     this.subscribed.set(client.subscribe(c.id), { channel, channelId: c.id });
   }
 
   // The station has already ended the subscription with the channel.
   private forget(channelId: number): void {
-    this.announced.delete(channelId);
     for (const [id, of] of this.subscribed)
       if (of.channelId === channelId) this.subscribed.delete(id);
   }
 
+  // Of the map's two topics the page needs one, and a cloud once a second is the lighter.
+  private spare(client: FoxgloveClient): void {
+    const topics = new Set([...this.subscribed.values()].map((s) => s.channel.topic));
+    for (const [id, { channel }] of this.subscribed) {
+      const cloud = channel.topic.replace(/map\/local$/, "map/points");
+      if (cloud === channel.topic || !topics.has(cloud)) continue;
+      client.unsubscribe(id);
+      this.subscribed.delete(id);
+    }
+  }
+
   private receive(message: MessageData): void {
     const of = this.subscribed.get(message.subscriptionId);
-    this.heard_ms = performance.now();
+    this.quietTicks = 0;
     if (!of) return;
     const time_s = Number(message.timestamp / 1000n) / 1e6;
     this.setClock(time_s);
@@ -113,9 +123,9 @@ export class LiveLink {
   }
 
   private checkHearing(): void {
-    if (!this.client || performance.now() - this.heard_ms < hearing_ms) return;
+    if (!this.client || ++this.quietTicks < deaf_s) return;
     const client = this.client;
     this.socket?.close();
-    this.onClose(client, `no word for ${hearing_ms / 1000} s`); // a dead link closes too late
+    this.onClose(client, `no word for ${deaf_s} s`); // a dead link closes too late
   }
 }

@@ -7,8 +7,8 @@ const mode = ["track", "coast", "hover", "brake", "silent"];
 const service = ["starting", "running", "degraded", "stopping"];
 const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped"];
 const result = ["none", "accepted", "refused: too late", "refused: repeated",
-  "refused: not from this phase"];
-const command = ["start", "hold", "resume", "return", "land", "stop"];
+  "refused: not from this phase", "refused: somebody else has control"];
+const command = ["start", "hold", "resume", "return", "land", "stop", "take control", "give control back"];
 const level = ["ok", "warning", "error", "stale"];
 const battery = ["ok", "low", "critical", "emergency", "failed"];
 

@@ -5,7 +5,7 @@ import { distance_m, yawError_rad } from "../store/derive.ts";
 import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
 import { number } from "../ui/format.ts";
-import { intentionColor } from "../ui/palette.ts";
+import { intentionColor, spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import { Aged } from "./badge.tsx";
 
@@ -38,7 +38,7 @@ export function Readout({ session }: { session: Session }) {
             data-field={`p-${i.name}`} data-value={i.probability.toFixed(3)}>
             <i style={{ background: intentionColor(i.name, i.id),
               width: `${Math.round(100 * i.probability)}%` }} />
-            <em>{i.name} {i.probability.toFixed(2)}</em>
+            <em>{spoken(i.name)} {i.probability.toFixed(2)}</em>
           </span>
         ))}</span>
       </Aged></dd>

@@ -1,7 +1,7 @@
 // From the store's series to what each chart draws.
 import type { Series } from "../store/series.ts";
 import type { Vehicle } from "../store/state.ts";
-import { blue, colorOf, green, intentionColor, orange } from "../ui/palette.ts";
+import { blue, colorOf, green, intentionColor, orange, spoken } from "../ui/palette.ts";
 import type { Frame, Line } from "./chart.ts";
 
 type Columns = (number | null)[][];
@@ -33,7 +33,7 @@ export function stacked(columns: Columns): Columns {
 // The highest sum is drawn first and each filled down to zero, so that the lower ones cover it.
 function stackOf(series: Series, from_s: number, color: (name: string, i: number) => string): Frame {
   const { times, columns } = rowsFrom(series, from_s);
-  const lines = series.names.map((name, i): Line => ({ name, color: color(name, i), fill: true }));
+  const lines = series.names.map((name, i): Line => ({ name: spoken(name), color: color(name, i), fill: true }));
   return { times, columns: stacked(columns).reverse(), values: [...columns].reverse(),
     lines: lines.reverse() };
 }

@@ -46,9 +46,9 @@ function Legend() {
   return (
     <ul class="legend" aria-label="legend">
       <li class="c-blue">forward</li>
-      <li class="c-orange">left</li>
-      <li class="c-green">right</li>
-      <li class="c-pink">deceleration</li>
+      <li class="c-orange">turn left</li>
+      <li class="c-green">turn right</li>
+      <li class="c-pink">decelerate</li>
       <li class="c-plan">plan</li>
     </ul>
   );

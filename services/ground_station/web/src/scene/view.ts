@@ -12,6 +12,7 @@ import { VehicleView } from "./vehicle_view.ts";
 export type ViewKind = "orbit" | "follow" | "top";
 
 const period_ms = 1000 / 30;
+const slowPeriod_ms = 1000 / 12; // where even coarse pictures are too much
 
 // Without a graphics card smooth edges cost more than they are worth.
 function drawsInSoftware(): boolean {
@@ -35,6 +36,7 @@ export class SceneView {
   private readonly finest: number; // pixels a CSS pixel
   private generation = -1;
   private placed = false;
+  private period_ms = period_ms;
   private request = 0;
   private drawn_ms = 0;
   private frames = 0;
@@ -62,6 +64,7 @@ export class SceneView {
   setView(kind: ViewKind): void {
     this.kind = kind;
     this.placed = false;
+    this.period_ms = period_ms;
     this.controls.enableRotate = kind !== "top";
     this.host.dataset["view"] = kind;
   }
@@ -77,7 +80,7 @@ export class SceneView {
   private readonly loop = (): void => {
     this.request = requestAnimationFrame(this.loop);
     const now_ms = performance.now();
-    if (now_ms - this.drawn_ms < period_ms - 4 || this.host.clientWidth === 0) return;
+    if (now_ms - this.drawn_ms < this.period_ms - 4 || this.host.clientWidth === 0) return;
     this.drawn_ms = now_ms;
     this.fit();
     this.update();
@@ -179,6 +182,7 @@ export class SceneView {
   // Coarser where the machine cannot keep up, finer again where it can.
   private adapt(fps: number): void {
     const ratio = this.renderer.getPixelRatio();
+    if (fps < 10 && ratio <= 0.5) this.period_ms = slowPeriod_ms;
     const wanted = fps < 18 ? Math.max(0.5, 0.8 * ratio) : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
     if (Math.abs(wanted - ratio) > 0.01) this.renderer.setPixelRatio(wanted);
   }

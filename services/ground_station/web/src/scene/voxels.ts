@@ -8,6 +8,7 @@ import type { LocalMap, PointCloud2 } from "../data/messages.ts";
 export interface Voxels { resolution_m: number; centers: Float32Array } // x, y, z triples
 
 const occupied = 1;
+const ground_m = 0.3; // what is no higher is the ground, and would hide what is drawn on it
 const maxColumns = 12000;
 
 export function voxelsOfMap(map: LocalMap): Voxels {
@@ -92,7 +93,7 @@ export class VoxelView {
   }
 
   set(voxels: Voxels): void {
-    const found = columns(voxels).slice(0, maxColumns);
+    const found = columns(voxels).filter((c) => c.high_m > ground_m).slice(0, maxColumns);
     const width_m = 0.96 * voxels.resolution_m;
     const place = new Object3D();
     const color = new Color();

@@ -13,9 +13,12 @@ const cycle = [blue, orange, green, pink, yellow, deep, red, grey];
 export const colorOf = (index: number): string => cycle[index % cycle.length]!;
 
 const intentions: Record<string, string> = {
-  forward: blue, left: orange, right: green, deceleration: pink,
+  forward: blue, left: orange, right: green, decelerat: pink,
 };
 const ids = [blue, orange, green, pink];
+
+/** turn_left → turn left */
+export const spoken = (name: string): string => name.replaceAll("_", " ");
 
 export function intentionColor(name: string, index: number): string {
   const known = Object.keys(intentions).find((word) => name.includes(word));

@@ -10,6 +10,9 @@ import { Operator } from "./operator.ts";
 
 interface Stage { state: State; intake: Intake }
 
+// A page that stood still finds its samples waiting: it takes them before it calls anything old.
+const late_ms = 500;
+
 function makeStage(): Stage {
   const state = makeState();
   const intake = new Intake((text) => reduce(state, { kind: "problem", text }));
@@ -30,6 +33,7 @@ export class Session {
   band_m: [number, number] = [1.5, 2.5]; // of distance that the planner keeps
   generation = 0; // of the shown state: the scene and the plots begin anew
   message = { text: "", bad: false }; // the answer to the last order, for some seconds
+  private fed_ms = 0;
   private readonly live = makeStage();
   private replayed: Stage = makeStage();
   private readonly listeners = new Set<() => void>();
@@ -65,11 +69,11 @@ export class Session {
 
   /** Once a frame. */
   frame(): void {
-    feed(this.live, this.link.take(), this.link.now_s());
-    if (!this.replay) return;
-    const { restart, now_s, samples } = this.replay.take();
-    if (restart) this.beginAnew();
-    feed(this.replayed, samples, now_s);
+    const late = performance.now() - this.fed_ms > late_ms;
+    this.fed_ms = performance.now();
+    if (late) setTimeout(() => this.feedLive(), 50);
+    else this.feedLive();
+    if (this.replay) this.feedReplay(this.replay);
   }
 
   choose(name: string): void {
@@ -105,6 +109,15 @@ export class Session {
   }
   changed(): void {
     this.listeners.forEach((listener) => listener());
+  }
+
+  private feedLive(): void {
+    feed(this.live, this.link.take(), this.link.now_s());
+  }
+  private feedReplay(replay: Replay): void {
+    const { restart, now_s, samples } = replay.take();
+    if (restart) this.beginAnew();
+    feed(this.replayed, samples, now_s);
   }
 
   // Acknowledged alarms stay so through a seek.
