@@ -17,6 +17,10 @@ if (kind === "types") {
   process.exit(spawnSync(process.execPath, [tsc, "--noEmit", "-p", web],
     { stdio: "inherit" }).status ?? 1);
 }
+if (kind === "browser" && !(await import("./chromium.mjs")).hasChromium) {
+  console.log("skipped: no Chromium (Debian package chromium)");
+  process.exit(77);
+}
 const { build } = await import("esbuild");
 const out = join(web, "node_modules", ".tests", kind);
 rmSync(out, { recursive: true, force: true });

@@ -1,15 +1,13 @@
-// A stand-in for the station, for work on the page without DDS: node tests/stand_in.mjs [--port N]
-// [--vehicles N]. Foxglove protocol at /ws, the page, /api answers; a made-up flight.
+// A stand-in for the station, for work on the page without DDS: the Foxglove protocol at /ws, the
+// page in ./dist, answers under /api; a made-up flight.
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { WebSocketServer } from "ws";
 
 import { flatIdl } from "./flat_idl.mjs";
 import { encode, samplesAt, schemaNameOf, typeOf } from "./synthetic.mjs";
 
-const here = fileURLToPath(new URL(".", import.meta.url));
 const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
   ".svg": "image/svg+xml", ".txt": "text/plain" };
 const policy = "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:";
@@ -20,9 +18,12 @@ class StandIn {
   leases = new Map();
   last = new Map();
   orders = new Map();
-  paused = false;
+  silent = new Set(); // vehicles of which nothing comes
+  killed = new Set(); // services whose health does not come
+  mismatched = new Set(); // topics whose quality of service does not match
+  received = []; // bodies of /api/command
 
-  constructor({ port = 0, vehicles = 1, dist = join(here, "../dist") } = {}) {
+  constructor({ port = 0, vehicles = 1, dist = "dist" } = {}) {
     this.dist = dist;
     this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
     this.http = createServer((request, response) => void this.answer(request, response));
@@ -93,11 +94,12 @@ class StandIn {
     if (until - this.step > 50) this.step = until - 50;
     while (this.step < until) {
       this.step++;
-      if (this.paused) continue;
       this.names.forEach((name, index) => {
+        if (this.silent.has(name)) return;
         for (const [topic, message] of samplesAt(this.step / 100, this.step, index,
           this.orders.get(name)))
-          this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
+          if (!this.killed.has(message.service))
+            this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
       });
     }
   }
@@ -112,7 +114,8 @@ class StandIn {
       recording: null, clients: [],
       topics: [...this.channels.values()].map((c) => ({ topic: c.topic, type: c.schemaName,
         vehicle: c.topic.split("/")[1], writers: 1, readers: 2, rate_hz: 25, bytes_s: 9000,
-        age_s: 0.1, limited: false, qos_mismatch: false, foreign_type: false })),
+        age_s: 0.1, limited: false, qos_mismatch: this.mismatched.has(c.topic),
+        foreign_type: null, resting: false })),
     };
   }
 
@@ -154,6 +157,7 @@ class StandIn {
   }
 
   command({ vehicle, command, operator }) {
+    this.received.push(`${operator}: ${command} ${vehicle}`);
     const holder = this.leases.get(vehicle);
     const ok = command === "stop" || holder === operator;
     const id = (this.last.get(vehicle)?.id ?? 0) + 1;
@@ -172,13 +176,4 @@ export function startStandIn(options) {
     const station = new StandIn(options);
     station.http.once("listening", () => resolve(station));
   });
-}
-
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const option = (name, otherwise) => {
-    const at = process.argv.indexOf(`--${name}`);
-    return at < 0 ? otherwise : Number(process.argv[at + 1]);
-  };
-  const station = await startStandIn({ port: option("port", 8090), vehicles: option("vehicles", 1) });
-  console.log(station.url);
 }

@@ -20,7 +20,9 @@ function GoTo({ replay }: { replay: Replay }) {
       const text = new FormData(event.currentTarget).get("time");
       const time_s = parseTime(typeof text === "string" ? text : "", replay.clock);
       setBad(time_s === null);
-      if (time_s !== null) replay.seek(time_s);
+      if (time_s === null) return;
+      replay.seek(time_s);
+      event.currentTarget.querySelector("input")?.blur(); // the keys are the replay's again
     }}>
       <input name="time" class={bad ? "bad" : ""} size={9} placeholder="go to 1:05" aria-label="go to"
         title="seconds or m:ss from the start, or hh:mm:ss UTC" />

@@ -2,7 +2,8 @@
 
 export function number(value: number | null | undefined, digits = 1, unit = ""): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
-  return value.toFixed(digits) + (unit && ` ${unit}`);
+  const text = value.toFixed(digits);
+  return (Number(text) === 0 ? text.replace("-", "") : text) + (unit && ` ${unit}`);
 }
 
 /** Negative: never. */

@@ -1,0 +1,184 @@
+// The page in a browser, against a stand-in for the station whose every value is known.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+
+import { expectText, launch, open } from "../chromium.mjs";
+import { type StandIn, startStandIn } from "../stand_in.mjs";
+import { probabilities } from "../synthetic.mjs";
+import { syntheticRecording } from "../write_mcap.mjs";
+
+let browser: Browser;
+let station: StandIn;
+let page: Page & { problems: string[] };
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+beforeEach(async () => {
+  station = await startStandIn({ vehicles: 2 });
+  page = await open(browser, station.url, { name: "ada" });
+  await page.waitForSelector('[data-vehicle="uav2"]');
+});
+afterEach(async () => {
+  await page.context().close();
+  station.close();
+});
+
+const card = (name: string, field: string): string => `[data-vehicle="${name}"] [data-field="${field}"]`;
+const tab = (name: string) => page.getByRole("tab", { name }).click();
+
+test("each vehicle has a card, and the chosen one is described", async () => {
+  await expectText(page, card("uav1", "mode"), /^track$/);
+  await expectText(page, card("uav1", "health"), /5 services well/);
+  await expectText(page, card("uav1", "losses"), /^15$/);
+  await expectText(page, card("uav1", "battery"), /(7[0-2]|6\d) % 15\.4 V/);
+  await expectText(page, card("uav1", "rates"), /\d\d · \d\d · \d\d Hz/);
+  await page.click('[data-vehicle="uav2"]');
+  assert.equal(await page.getAttribute('[data-vehicle="uav2"]', "aria-pressed"), "true");
+  await expectText(page, '[data-field="distance"]', /^(1\.[67-9]\d|2\.[0-3]\d) m$/);
+  await expectText(page, '[data-field="p-right"]', /right 0\.05/);
+  await page.keyboard.press("[");
+  assert.equal(await page.getAttribute('[data-vehicle="uav1"]', "aria-pressed"), "true");
+  assert.deepEqual(page.problems, []);
+});
+
+test("the plots tell the newest values", async () => {
+  await expectText(page, '[data-chart="Image to setpoint"] .values', /80 ms/);
+  await expectText(page, '[data-chart="Plan time"] .values', /predict 2\.5 ms.*path 1\.5 ms/);
+  await expectText(page, '[data-chart="Speed"] .values', /vehicle 1\.00 m\/s\s*person 1\.00 m\/s/);
+  await expectText(page, '[data-chart="States"] .values', /gate track · plan fresh · person tracking/);
+});
+
+test("the cursor is shared by all plots", async () => {
+  const over = page.locator(".u-over");
+  await over.nth(0).hover({ position: { x: 300, y: 20 } });
+  const lefts = await page.locator(".u-cursor-x").evaluateAll((lines) =>
+    lines.map((line) => (line as HTMLElement).style.transform));
+  assert.equal(lefts.length, 7);
+  assert.equal(new Set(lefts).size, 1);
+});
+
+test("a vehicle that falls silent dims, says how old it is, and raises one alarm", async () => {
+  station.silent.add("uav2");
+  await expectText(page, card("uav2", "link"), /^[3-9]\.\d s$/);
+  await expectText(page, '[data-vehicle="uav2"] .stale .age', /s old/);
+  await expectText(page, '[data-alarm="uav2 silent"]', /nothing heard for \d+ s/);
+  await expectText(page, card("uav1", "link"), /^0\.\d s$/);
+  station.silent.clear();
+  await expectText(page, '[data-alarm="uav2 silent"]', /over at/);
+  await page.keyboard.press("a");
+  await page.waitForSelector('[data-alarm="uav2 silent"]', { state: "detached" });
+});
+
+test("a killed service is named, with its age", async () => {
+  await expectText(page, card("uav1", "health"), /5 services well/);
+  station.killed.add("planning");
+  await expectText(page, card("uav1", "health"), /planning silent/);
+  await expectText(page, '[data-alarm="uav1 service silent planning"]', /planning: silent for/);
+  await tab("Diagnostics");
+  await expectText(page, '[data-service="planning"]', /silent/);
+  await expectText(page, '[data-service="mapping"]', /running/);
+});
+
+test("topics show their mismatches first", async () => {
+  station.mismatched.add("/uav2/odometry");
+  await tab("Topics");
+  await expectText(page, "[data-topic]", /^uav2\/odometry.*QoS mismatch/);
+  await expectText(page, '[data-topic="uav1/target/state"]', /TargetState.*25\.0 Hz/);
+});
+
+test("STOP is sent when it was held, not when it was touched, and without a lease", async () => {
+  const stop = page.locator("button.stop");
+  await stop.click();
+  await page.waitForTimeout(800);
+  assert.deepEqual(station.received, []);
+  await stop.dispatchEvent("pointerdown", { button: 0 });
+  await expectText(page, card("uav1", "mode"), /brake/);
+  await expectText(page, card("uav1", "phase"), /stopped/);
+  assert.deepEqual(station.received, ["ada: stop uav1"]);
+  await page.click('[data-vehicle="uav2"]');
+  await page.keyboard.down("s");
+  await expectText(page, card("uav2", "phase"), /stopped/);
+  await page.keyboard.up("s");
+  assert.deepEqual(station.received.slice(1), ["ada: stop uav2"]);
+});
+
+test("one operator has control, others see who, and it can be handed over", async () => {
+  const other = await open(browser, station.url, { name: "bob" });
+  const hold = (of: Page) => of.getByRole("button", { name: "Hold", exact: true });
+  await expectText(page, '[data-field="answer"]', /take control first/);
+  await page.getByRole("button", { name: "Take control" }).click();
+  await expectText(other, card("uav1", "lease"), /ada/);
+  await expectText(other, '[data-field="answer"]', /ada has control/);
+  assert.ok(await hold(other).isDisabled());
+  await hold(page).click();
+  await expectText(page, '[data-field="answer"]', /hold uav1: sent/);
+  await tab("Control");
+  await page.fill('[aria-label="hand over uav1 to"]', "bob");
+  await page.getByRole("button", { name: "Hand over" }).click();
+  await expectText(page, card("uav1", "lease"), /bob/);
+  await hold(other).click();
+  await expectText(other, '[data-field="answer"]', /hold uav1: sent/);
+  assert.deepEqual(station.received, ["ada: hold uav1", "bob: hold uav1"]);
+  await other.context().close();
+});
+
+test("without the station all is old, and it comes back by itself", async () => {
+  const { port } = new URL(station.url);
+  station.close();
+  await expectText(page, '[data-field="station"]', /no station/);
+  await expectText(page, '[data-field="gate"] ~ *, .readout .stale .age', /s old/);
+  station = await startStandIn({ vehicles: 2, port: Number(port) });
+  await expectText(page, '[data-field="station"]', /live/);
+  await expectText(page, card("uav1", "link"), /^0\.\d s$/);
+});
+
+test("a recording is replayed, stepped, sought and marked by its log time", async () => {
+  const begin_s = 1_700_000_000;
+  const bytes = await syntheticRecording({ begin_s, seconds: 8 });
+  await tab("Recordings");
+  await page.setInputFiles('[aria-label="open a recording"]',
+    { name: "flight.mcap", mimeType: "application/octet-stream", buffer: Buffer.from(bytes) });
+  await page.getByRole("button", { name: "pause" }).click();
+  await page.fill('[aria-label="go to"]', "4.38"); // the recording begins 0.02 s into the flight
+  await page.keyboard.press("Enter");
+  await expectText(page, '[data-field="replay-time"]', /^0:04\.4 \/ 0:08\.0$/);
+  const expected = probabilities(4.4);
+  await expectText(page, '[data-field="p-forward"]', new RegExp(expected["forward"]!.toFixed(2)));
+  await expectText(page, '[data-field="p-left"]', new RegExp(expected["left"]!.toFixed(2)));
+  await page.locator("body").press("b");
+  await page.locator("body").press(".");
+  await expectText(page, '[data-field="replay-time"]', /^0:04\.5/);
+  await page.locator("body").press("ArrowLeft");
+  await expectText(page, '[data-field="replay-time"]', /^0:03\.5/);
+  await page.click(".bookmark button");
+  await expectText(page, '[data-field="replay-time"]', /^0:04\.4/);
+  await page.selectOption('[aria-label="speed"]', "10");
+  await page.getByRole("button", { name: "play", exact: true }).click();
+  await expectText(page, '[data-field="replay-time"]', /^0:08\.0/);
+  await page.getByRole("button", { name: "End replay" }).click();
+  await page.waitForSelector('[data-vehicle="uav2"]');
+  assert.deepEqual(page.problems, []);
+});
+
+test("what is not a recording is refused with a reason", async () => {
+  await tab("Recordings");
+  await page.setInputFiles('[aria-label="open a recording"]',
+    { name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("not a recording") });
+  await expectText(page, ".recordings output", /notes\.txt cannot be replayed/);
+});
+
+test("on a phone nothing is cut off, and STOP is on every tab", async () => {
+  const phone = await open(browser, station.url, { width: 390, height: 844 });
+  await phone.waitForSelector('[data-vehicle="uav2"]');
+  for (const name of ["Scene", "Plots", "Events", "Diagnostics", "Topics", "Recordings", "Control"]) {
+    await phone.getByRole("tab", { name }).click();
+    const box = (await phone.locator("button.stop").first().boundingBox())!;
+    assert.ok(box.y + box.height <= 844 && box.x + box.width <= 390, name);
+    const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 390, `${name}: ${wide} px wide`);
+  }
+  await phone.context().close();
+});

@@ -1,0 +1,10 @@
+export interface StandIn {
+  url: string;
+  silent: Set<string>;
+  killed: Set<string>;
+  mismatched: Set<string>;
+  received: string[];
+  close(): void;
+}
+export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string }):
+  Promise<StandIn>;
