@@ -18,6 +18,9 @@ inline constexpr std::array<std::string_view, kIntentionCount> kIntentionNames =
 constexpr int index_of(Intention i) {
   return static_cast<int>(i);
 }
+constexpr bool is_turn(Intention i) {
+  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
+}
 
 /// One row of the assessment (paper eq. 5–10; the probability is ours).
 struct IntentionBelief {

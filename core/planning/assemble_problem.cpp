@@ -62,7 +62,7 @@ Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& t
   const double speed_m_s = wanted.norm();
   if (speed_m_s > most_m_s) wanted *= most_m_s / speed_m_s;
   for (const double part : kGoalSpeeds) {
-    const Vec3 velocity = part * wanted;
+    Vec3 velocity = part * wanted;
     const double room_s = velocity.norm() / (kBrakingShare * limits.acceleration_max_m_s2);
     if (is_clear(context.map, goal, goal + 0.6 * room_s * velocity,
                  context.params.check.vehicle_radius_m))

@@ -11,7 +11,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kTargetStep_s = 0.02;
-constexpr double kBrakingShare = 0.3;  // of the acceleration limit, that a retreat can count on
+constexpr double kRetreatBraking = 0.3;  // of the acceleration limit, that a retreat can count on
 
 struct Checker {
   const PlannedTrajectory& trajectory;
@@ -180,7 +180,7 @@ void Checker::check_target_distance() {
   };
   const double start_m = distance_at(0.0);
   const double closing_m_s = std::max((start_m - distance_at(kTargetStep_s)) / kTargetStep_s, 0.0);
-  const double braking_m_s2 = kBrakingShare * limits.acceleration_max_m_s2;
+  const double braking_m_s2 = kRetreatBraking * limits.acceleration_max_m_s2;
   const double unavoidable_m = start_m - 0.5 * closing_m_s * closing_m_s / braking_m_s2;
   bool leaving = unavoidable_m < floor_m;
   double before_m = start_m;

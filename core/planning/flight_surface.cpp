@@ -37,7 +37,7 @@ FlightSurface choose_flight_surface(const GridMap& map, const Vec3& start_enu_m,
     if (best >= 0.0 && count < best + kHysteresis) continue;
     best = count;
     surface.level_z_m = level_m;
-    if (count > kBearings / 2) break;
+    if (count > 0.5 * kBearings) break;
   }
   return surface;
 }

@@ -11,6 +11,7 @@ namespace foretrack {
 
 /// Trajectory pieces a polytope (paper: K).
 inline constexpr int kPiecesPerPolytope = 2;
+inline constexpr int kPolytopesMax = kMaxPieces / kPiecesPerPolytope;
 
 /// One z_k of one intention path. Regions are sectors in the plane, distances are horizontal.
 struct TargetSample {

@@ -10,8 +10,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSlowdown = 1.4;  // of the first guess's times in the second attempt
-constexpr double kFirm = 10.0;     // of the hard limits' weights in the second attempt
+constexpr double kRetrySlowdown = 1.4;  // of the first guess's times in the second attempt
+constexpr double kFirm = 10.0;          // of the hard limits' weights in the second attempt
 constexpr double kStands_m_s = 0.02;
 constexpr double kDistanceStep_s = 0.1;
 
@@ -185,7 +185,7 @@ class Replan {
 
   // For the second attempt: slower, ending at rest.
   void be_careful() {
-    for (double& duration_s : s_.problem.durations_s) duration_s *= kSlowdown;
+    for (double& duration_s : s_.problem.durations_s) duration_s *= kRetrySlowdown;
     s_.problem.goal.velocity.setZero();
     s_.problem.start = start_.state;
   }

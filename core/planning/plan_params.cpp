@@ -1,5 +1,7 @@
 #include "core/planning/plan_params.hpp"
 
+#include "core/planning/optimize_trajectory.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -56,7 +58,7 @@ ParamRows rows(PlaceParams& p) {
        "reach of a polytope beyond its segment, horizontally"},
       {"corridor_height_m", &p.corridor_height_m, "m", 0.1, 5.0, "the same, up and down"},
       {"segment_max_m", &p.segment_max_m, "m", 0.5, 10.0, "length of path in one polytope"},
-      {"polytopes_max", &p.polytopes_max, "", 1, kMaxPieces / kPiecesPerPolytope,
+      {"polytopes_max", &p.polytopes_max, "", 1, kPolytopesMax,
        "polytopes of one corridor (M_F)"},
   };
 }

@@ -64,9 +64,6 @@ struct Search {
   }
   double half_turn_rad() const { return 0.5 * params.turn_rate_rad_s * params.step_s; }
 
-  bool is_turn(Intention i) const {
-    return models[index_of(i)].kind == MotionModel::Kind::kCoordinatedTurn;
-  }
   bool is_allowed(const SearchNode& from, const SearchNode& to) const;
   bool can_still_leave(const SearchNode& n) const;
   double way_from_course_m(const SearchNode& n) const {

@@ -1,14 +1,6 @@
 #include "core/prediction/params.hpp"
 
 namespace foretrack {
-namespace {
-
-bool is_turn(Intention i) {
-  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
-}
-
-}  // namespace
-
 double PredictionParams::change_cost(Intention from, Intention to) const {
   if (from == to) return 0.0;
   if (is_turn(from) && is_turn(to)) return change_turn_opposite;

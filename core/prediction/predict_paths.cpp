@@ -80,10 +80,6 @@ void add_blocked_path(PredictionState& state, const TargetState& target,
   for (int k = 0; k < params.step_count(); ++k) writer.add(model);
 }
 
-bool is_turn(Intention i) {
-  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
-}
-
 SearchStatus add_searched_path(PredictionState& state, const TargetState& target,
                                const SearchRequest& request, const GridMap& map,
                                const PredictionParams& params) {

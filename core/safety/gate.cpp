@@ -71,8 +71,7 @@ Rung choose_rung(GateState& s, const GateInput& in, const GateResult& r, const S
     case MissionPhase::kReturning:
     case MissionPhase::kLanding:
       return {SafetyMode::kSilent, SafetyReason::kMission};
-    case MissionPhase::kStopped:
-      return {SafetyMode::kBrake, SafetyReason::kMission};
+    case MissionPhase::kStopped:  // braking comes first, as for every hover from speed
     case MissionPhase::kHolding:
       return {SafetyMode::kHover, SafetyReason::kMission};
     case MissionPhase::kTracking:
@@ -112,12 +111,12 @@ Setpoint stand_still(const GateState& s, double now_s, bool brake) {
 // Holds the end of the trajectory where there is one; else brakes first and holds where that ends.
 void latch_hover(GateState& s, const GateInput& in, SafetyMode mode, SafetyReason reason,
                  const SafetyParams& p) {
-  if (mode != SafetyMode::kHover && mode != SafetyMode::kBrake) {
+  if (mode != SafetyMode::kHover) {  // also when it brakes: it shall not fly back to an old place
     s.hover_enu_m.reset();
-    s.hover_yaw_rad = in.vehicle.yaw_rad();
+    if (mode != SafetyMode::kBrake) s.hover_yaw_rad = in.vehicle.yaw_rad();
     return;
   }
-  if (s.hover_enu_m || mode == SafetyMode::kBrake) return;
+  if (s.hover_enu_m) return;
   const bool at_end = reason == SafetyReason::kPlanEnded || reason == SafetyReason::kPlanHolds;
   if (at_end) {
     s.hover_enu_m = s.flown.position(s.flown.duration_s());

@@ -5,7 +5,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kNear_m = 0.2;            // nearer to the image plane, nothing is imaged
+constexpr double kImagedFrom_m = 0.2;      // nearer to the image plane, nothing is imaged
 constexpr double kPoorFactor = 5.0;        // noise of landmarks that are guessed
 constexpr double kPositionNoise_m = 0.10;  // of observations that ignore the border
 constexpr double kYawNoise_rad = 0.14;
@@ -54,9 +54,9 @@ bool image_landmark(const LandmarkCameraParams& p, const View& view, const Vec3&
                     const LandmarkCamera::Noise& noise, Random& random, Landmark& landmark) {
   const Vec3 in_camera = view.T_camera_world * joint_enu_m;
   const auto px =
-      p.camera.project({in_camera.x(), in_camera.y(), std::max(in_camera.z(), kNear_m)});
-  const bool seen =
-      in_camera.z() > kNear_m && (!p.fov_gated || p.camera.contains(*px)) && view.sees(joint_enu_m);
+      p.camera.project({in_camera.x(), in_camera.y(), std::max(in_camera.z(), kImagedFrom_m)});
+  const bool seen = in_camera.z() > kImagedFrom_m && (!p.fov_gated || p.camera.contains(*px)) &&
+                    view.sees(joint_enu_m);
   landmark.visibility = seen ? random.uniform(0.8, 1.0) : random.uniform(0.0, 0.3);
   const double poor = seen ? 1.0 : kPoorFactor;
   landmark.image_px = *px + poor * p.noise_px * noise.image_px;

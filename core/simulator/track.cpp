@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r,";
 
 // Where the error is, and what the rows should look like.
-struct Place {
+struct FilePlace {
   const std::string& file_name;
   TrackFormat format;
   int line = 0;
@@ -23,7 +23,7 @@ struct Place {
   }
 };
 
-std::vector<double> numbers_of(std::string_view row, const Place& place) {
+std::vector<double> numbers_of(std::string_view row, const FilePlace& place) {
   std::vector<double> numbers;
   for (std::size_t at = row.find_first_not_of(kBlanks); at != std::string_view::npos;
        at = row.find_first_not_of(kBlanks, at)) {
@@ -39,7 +39,7 @@ std::vector<double> numbers_of(std::string_view row, const Place& place) {
   return numbers;
 }
 
-int whole(double value, const char* name, const Place& place) {
+int whole(double value, const char* name, const FilePlace& place) {
   if (value != std::floor(value) || std::abs(value) > 1e9)
     place.fail(std::string(name) + " " + std::to_string(value) + " is not a whole number");
   return static_cast<int>(value);
@@ -64,7 +64,7 @@ std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, doubl
   if (!(rate_hz > 0.0)) throw std::invalid_argument(file_name + ": rate_hz must be above 0");
   const std::size_t columns = format == TrackFormat::kOpenTraj ? 8 : 4;
   std::map<int, std::vector<TrackPoint>> by_id;
-  Place place{file_name, format};
+  FilePlace place{file_name, format};
   double first_frame = std::nan("");
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

@@ -1,28 +1,9 @@
 // Counts heap allocations in this program: predict() must make none once it is warm.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "core/prediction/predict.hpp"
 #include "tests/core/prediction/worlds.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size ? size : 1)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
+#include "tests/support/count_allocations.hpp"
 
 namespace foretrack {
 namespace {
@@ -32,7 +13,7 @@ using namespace foretrack::testing;
 // Walks through a bend and stops, so that all numbers of paths and all statuses come up.
 long allocations_of_walk(PredictionState& state, const GridMap& map, double start_s) {
   const PredictionParams params;
-  const long before = allocations;
+  const long before = allocation_count();
   for (int i = 0; i < 120; ++i) {
     const double t = 0.04 * i;
     TargetState target = walker({-3.0 + 1.5 * t, 0.0}, {1.5, 0.0}, start_s + t);
@@ -40,7 +21,7 @@ long allocations_of_walk(PredictionState& state, const GridMap& map, double star
     if (i % 40 == 39) target.status = TrackStatus::kLost;
     predict(state, target, map, params);
   }
-  return allocations - before;
+  return allocation_count() - before;
 }
 
 TEST(Predict, AllocatesNothingOnceItIsWarm) {

@@ -152,7 +152,38 @@ TEST(Gate, HoldsOnOrderAndStopsEvenWhenTheOrderIsOldOrRepeated) {
   MissionCommand late{.id = 6, .stamp_s = loop.now_s - 5.0, .order = MissionOrder::kResume};
   EXPECT_EQ(loop.tick(nullptr, &late).command_result, MissionResult::kRefusedLate);
   MissionCommand stop{.id = 1, .stamp_s = loop.now_s - 5.0, .order = MissionOrder::kStop};
+  loop.vehicle.velocity_enu_m_s = Vec3(1, 0, 0);
   EXPECT_EQ(loop.tick(nullptr, &stop).mode, SafetyMode::kBrake);
+  EXPECT_EQ(loop.tick().phase, MissionPhase::kStopped);
+  loop.vehicle.velocity_enu_m_s = Vec3::Zero();
+  const auto stopped = loop.tick();
+  EXPECT_EQ(stopped.mode, SafetyMode::kHover);
+  ASSERT_TRUE(stopped.setpoint);
+  EXPECT_EQ(stopped.setpoint->position_enu_m, loop.vehicle.position_enu_m);
+}
+
+TEST(Gate, StartsTheWaitingPlanBeforeANewerOneTakesItsPlace) {
+  Loop loop;
+  const auto first = straight_plan(1, 0.01), second = straight_plan(2, 0.05, 0.04);
+  loop.tick(&first);
+  loop.tick(&second);
+  loop.run(0.02);  // now 0.04 s: the second starts at the next tick, with which a third comes
+  const auto third = straight_plan(3, 0.5, 0.49);
+  EXPECT_EQ(loop.tick(&third).plan_id, 2U);
+}
+
+TEST(Gate, HoldsWhereItCameToRestAndNotWhereItHeldBeforeItWasPushedAway) {
+  Loop loop;
+  const auto plan = straight_plan(1, 0.01);
+  loop.tick(&plan);
+  ASSERT_EQ(loop.run(3.2).mode, SafetyMode::kHover);
+  loop.displaced = Vec3(0, 4, 1.5);
+  ASSERT_EQ(loop.tick().mode, SafetyMode::kBrake);
+  MissionCommand hold{.id = 1, .stamp_s = loop.now_s, .order = MissionOrder::kHold};
+  const auto r = loop.tick(nullptr, &hold);
+  ASSERT_EQ(r.mode, SafetyMode::kHover);
+  ASSERT_TRUE(r.setpoint);
+  EXPECT_EQ(r.setpoint->position_enu_m, Vec3(0, 4, 1.5));
 }
 
 TEST(Gate, LandsThroughTheFlightControllerWithoutHeartbeat) {

@@ -143,7 +143,7 @@ TEST_F(SafetyGateOnDds, FallsSilentWhenTheOdometryCeases) {
 TEST_F(SafetyGateOnDds, ObeysOrdersAndSaysWhoseItWas) {
   ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack); }, [&] { feed(); }));
   std::uint64_t id = 0;
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kBrake, SafetyReason::kMission); },
+  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kHover, SafetyReason::kMission); },
                                 [&] {
                                   feed();
                                   send_order(MissionOrder::kStop, ++id);
