@@ -10,7 +10,7 @@
 namespace foretrack {
 namespace {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
+using PoseStep = Eigen::Matrix<double, 6, 1>;  // rotation, translation
 using Mat26 = Eigen::Matrix<double, 2, 6>;
 
 constexpr int kRefinements = 12;
@@ -119,19 +119,19 @@ struct Refiner {
   // `width`: errors beyond this many standard deviations count less and less.
   double step(double width) {
     Mat6 normal = Mat6::Zero();
-    Vec6 right = Vec6::Zero();
+    PoseStep right = PoseStep::Zero();
     for (const Pair& p : pairs) accumulate(p, width, normal, right);
     const Eigen::AngleAxisd turned(R);
     const double information = 1.0 / (params.alignment_noise_rad * params.alignment_noise_rad);
     normal.topLeftCorner<3, 3>().diagonal().array() += information;
     right.head<3>() -= information * turned.angle() * turned.axis();
-    const Vec6 delta = normal.ldlt().solve(right);
+    const PoseStep delta = normal.ldlt().solve(right);
     const double angle = delta.head<3>().norm();
     if (angle > 1e-12) R = Eigen::AngleAxisd(angle, delta.head<3>() / angle) * R;
     t += delta.tail<3>();
     return delta.norm();
   }
-  void accumulate(const Pair& p, double width, Mat6& normal, Vec6& right) const {
+  void accumulate(const Pair& p, double width, Mat6& normal, PoseStep& right) const {
     const Vec3 rotated = R * p.body_m;
     const Vec3 x = rotated + t;
     if (x.z() < 0.1) return;

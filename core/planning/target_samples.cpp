@@ -6,8 +6,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kAccelerationShare = 0.6;  // of the limits, that can be counted on for catching up
-constexpr double kSpeedShare = 0.85;
+constexpr double kCatchUpAcceleration = 0.6;  // of the limits, that can be counted on for catching up
+constexpr double kCatchUpSpeed = 0.85;
 
 // Where the vehicle can be after t: anywhere within `radius_m` of where it would coast to.
 struct Reach {
@@ -16,8 +16,8 @@ struct Reach {
 };
 
 Reach reach_at(const BoundaryState& start, const FlightLimits& limits, double t_s) {
-  const double acceleration = kAccelerationShare * limits.acceleration_max_m_s2;
-  const double speed = kSpeedShare * limits.speed_max_m_s;
+  const double acceleration = kCatchUpAcceleration * limits.acceleration_max_m_s2;
+  const double speed = kCatchUpSpeed * limits.speed_max_m_s;
   const double ramp_s = std::min(t_s, speed / acceleration);
   return {(start.position + t_s * start.velocity).head<2>(),
           0.5 * acceleration * ramp_s * ramp_s + speed * (t_s - ramp_s)};
