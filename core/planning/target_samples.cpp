@@ -6,7 +6,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kCatchUpAcceleration = 0.6;  // of the limits, that can be counted on for catching up
+constexpr double kCatchUpAcceleration =
+    0.6;  // of the limits, that can be counted on for catching up
 constexpr double kCatchUpSpeed = 0.85;
 
 // Where the vehicle can be after t: anywhere within `radius_m` of where it would coast to.

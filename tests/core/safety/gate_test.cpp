@@ -152,14 +152,22 @@ TEST(Gate, HoldsOnOrderAndStopsEvenWhenTheOrderIsOldOrRepeated) {
   MissionCommand late{.id = 6, .stamp_s = loop.now_s - 5.0, .order = MissionOrder::kResume};
   EXPECT_EQ(loop.tick(nullptr, &late).command_result, MissionResult::kRefusedLate);
   MissionCommand stop{.id = 1, .stamp_s = loop.now_s - 5.0, .order = MissionOrder::kStop};
+  EXPECT_EQ(loop.tick(nullptr, &stop).phase, MissionPhase::kStopped);
+}
+
+TEST(Gate, StopsByBrakingAndThenHoldsWhereItCameToRest) {
+  Loop loop;
+  const auto plan = straight_plan(1, 0.01);
+  loop.tick(&plan);
   loop.vehicle.velocity_enu_m_s = Vec3(1, 0, 0);
+  MissionCommand stop{.id = 1, .stamp_s = loop.now_s, .order = MissionOrder::kStop};
   EXPECT_EQ(loop.tick(nullptr, &stop).mode, SafetyMode::kBrake);
-  EXPECT_EQ(loop.tick().phase, MissionPhase::kStopped);
   loop.vehicle.velocity_enu_m_s = Vec3::Zero();
+  loop.displaced = Vec3(0.3, 0, 1.5);
   const auto stopped = loop.tick();
   EXPECT_EQ(stopped.mode, SafetyMode::kHover);
   ASSERT_TRUE(stopped.setpoint);
-  EXPECT_EQ(stopped.setpoint->position_enu_m, loop.vehicle.position_enu_m);
+  EXPECT_EQ(stopped.setpoint->position_enu_m, Vec3(0.3, 0, 1.5));
 }
 
 TEST(Gate, StartsTheWaitingPlanBeforeANewerOneTakesItsPlace) {
