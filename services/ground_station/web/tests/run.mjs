@@ -1,4 +1,4 @@
-// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser: bundles tests/<kind>/*.test.ts and runs them by node's runner.
+// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser|flight: bundles tests/<kind>/*.test.ts and runs them by node's runner.
 // Exits with 77, which ctest takes for skipped, where npm's packages were not installed.
 import { spawnSync } from "node:child_process";
 import { existsSync, readdirSync, rmSync } from "node:fs";
@@ -17,17 +17,24 @@ if (kind === "types") {
   process.exit(spawnSync(process.execPath, [tsc, "--noEmit", "-p", web],
     { stdio: "inherit" }).status ?? 1);
 }
-if (kind === "browser" && !(await import("./chromium.mjs")).hasChromium) {
+if (kind === "flight" && !existsSync(process.env["FORETRACK_PROGRAM"] ?? "")) {
+  console.log("skipped: FORETRACK_PROGRAM is not the program");
+  process.exit(77);
+}
+if (kind !== "unit" && !(await import("./chromium.mjs")).hasChromium) {
   console.log("skipped: no Chromium (Debian package chromium)");
   process.exit(77);
 }
+if (kind !== "unit") spawnSync(process.execPath, ["build.mjs"], { stdio: "inherit", cwd: web });
 const { build } = await import("esbuild");
 const out = join(web, "node_modules", ".tests", kind);
 rmSync(out, { recursive: true, force: true });
 const names = readdirSync(join(here, kind)).filter((name) => name.endsWith(".test.ts"));
 await build({ absWorkingDir: web, entryPoints: names.map((name) => join("tests", kind, name)),
   outdir: out, outExtension: { ".js": ".mjs" }, bundle: true, platform: "node", format: "esm",
-  packages: "external", target: "node18", jsx: "automatic", jsxImportSource: "preact",
+  external: ["playwright-core", "ws"], mainFields: ["module", "main"], target: "node18",
+  banner: { js: 'import { createRequire } from "node:module";' +
+    "const require = createRequire(import.meta.url);" }, jsx: "automatic", jsxImportSource: "preact",
   logLevel: "warning" });
 const files = names.map((name) => join(out, name.replace(/\.ts$/, ".mjs")));
 const { status } = spawnSync(process.execPath, ["--test", ...files],

@@ -43,7 +43,7 @@ export function LeaseButton({ session }: { session: Session }) {
 export function NameField({ session }: { session: Session }) {
   const { operator } = session;
   return (
-    <input class="operator" placeholder="your name" maxLength={64} value={operator.name}
+    <input class="operator" placeholder="your name" maxLength={32} value={operator.typed}
       aria-label="operator" autocomplete="off"
       onInput={(event) => {
         operator.name = event.currentTarget.value;

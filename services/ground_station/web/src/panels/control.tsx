@@ -7,8 +7,6 @@ import { Commands } from "./commands.tsx";
 import { HoldButton } from "./stop.tsx";
 
 function Token({ session }: { session: Session }) {
-  const { server } = session.liveState.station?.message ?? {};
-  if (!server?.needs_token) return null;
   return (
     <label>token <input type="password" aria-label="token" value={session.operator.token}
       onChange={(event) => {

@@ -25,15 +25,19 @@ function modeOf(state: State, vehicle: Vehicle) {
 /** The worst of its services. */
 export function healthOf(state: State, vehicle: Vehicle): { mood: Mood; text: string } {
   const bad: string[] = [];
-  let mood: Mood = "good";
+  let silent = 0;
   for (const [name, heard] of vehicle.services) {
-    const silent = age_s(state, heard) > silent_s;
-    if (!silent && heard.message.state === ServiceState.running) continue;
-    bad.push(`${name} ${silent ? "silent" : serviceWord(heard.message.state)}`);
-    mood = silent ? "alarm" : mood === "alarm" ? "alarm" : "warning";
+    const isSilent = age_s(state, heard) > silent_s;
+    if (!isSilent && heard.message.state === ServiceState.running) continue;
+    bad.push(`${name} ${isSilent ? "silent" : serviceWord(heard.message.state)}`);
+    if (isSilent) silent++;
   }
-  if (vehicle.services.size === 0) return { mood: "quiet", text: "no health" };
-  return { mood, text: bad.join(", ") || `${vehicle.services.size} services well` };
+  const count = vehicle.services.size;
+  if (count === 0) return { mood: "quiet", text: "no health" };
+  if (bad.length === 0) return { mood: "good", text: `${count} services well` };
+  const mood = silent > 0 ? "alarm" : "warning";
+  if (silent > 2) return { mood, text: `${silent} of ${count} services silent` };
+  return { mood, text: bad.join(", ") };
 }
 
 export function losses(vehicle: Vehicle): { count: number; reasons: string } {
@@ -96,7 +100,7 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
 }
 
 export function VehicleStrip({ session }: { session: Session }) {
-  const vehicles = [...session.state.vehicles.values()];
+  const { vehicles } = session;
   return (
     <section class="strip" aria-label="vehicles">
       {vehicles.map((v) => <Card key={v.name} session={session} vehicle={v} />)}

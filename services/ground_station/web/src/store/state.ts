@@ -33,7 +33,7 @@ export type Lane = "person" | "plan" | "mission" | "gate";
 
 export interface Vehicle {
   name: string;
-  index: number; // in order of appearance; its colour
+  index: number; // its colour: by the number in its name, else in order of appearance
   heard_s: number; // when anything of it came last
   latest: Partial<Latest>;
   services: Map<string, Heard<ServiceHealth>>;
@@ -111,7 +111,9 @@ export function makeState(): State {
   };
 }
 
-export function makeVehicle(name: string, index: number): Vehicle {
+export function makeVehicle(name: string, before: number): Vehicle {
+  const number = Number(/(\d+)$/.exec(name)?.[1] ?? 0);
+  const index = number > 0 ? number - 1 : before;
   return {
     name, index, heard_s: -Infinity, latest: {}, services: new Map(), lost_before: new Map(),
     intention: new Series([]),

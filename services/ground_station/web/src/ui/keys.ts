@@ -32,7 +32,7 @@ export function changeSpan(session: Session, by: number): void {
 }
 
 function nextVehicle(session: Session, by: number): void {
-  const names = [...session.state.vehicles.keys()];
+  const names = session.vehicles.map((vehicle) => vehicle.name);
   if (names.length === 0) return;
   const at = names.indexOf(session.vehicle?.name ?? "");
   session.choose(names[(at + by + names.length) % names.length]!);

@@ -12,10 +12,14 @@ export class Operator {
   token = tokenOfAddress() ?? sessionStorage.getItem(tokenKey) ?? "";
 
   get name(): string {
+    return this.name_.trim();
+  }
+  /** As it stands in the field. */
+  get typed(): string {
     return this.name_;
   }
   set name(name: string) {
-    this.name_ = name.trim().slice(0, 64);
+    this.name_ = name.replace(/[^\w\-. ]/g, "").trimStart().slice(0, 32); // what the station takes
     localStorage.setItem(nameKey, this.name_);
   }
   setToken(token: string): void {
@@ -34,7 +38,7 @@ export class Operator {
     return this.post("lease", { vehicle, operator: this.name, action, ...(to ? { to } : {}) });
   }
   command(vehicle: string, command: Command): Promise<Answer> {
-    return this.post("command", { vehicle, command, operator: this.name });
+    return this.post("command", { vehicle, command, operator: this.name || "unnamed" });
   }
   record(action: "start" | "stop"): Promise<Answer> {
     return this.post("record", { action });

@@ -55,8 +55,12 @@ export class Session {
     return this.live.state;
   }
   get vehicle(): Vehicle | undefined {
-    const { vehicles } = this.state;
-    return vehicles.get(this.chosen) ?? vehicles.values().next().value;
+    return this.state.vehicles.get(this.chosen) ?? this.vehicles[0];
+  }
+  /** In the order of their names, whichever was heard first. */
+  get vehicles(): Vehicle[] {
+    return [...this.state.vehicles.values()].sort((a, b) =>
+      a.name.localeCompare(b.name, undefined, { numeric: true }));
   }
 
   /** The vehicle that orders go to: of the live ones, also while a recording is shown. */
