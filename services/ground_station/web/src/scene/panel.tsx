@@ -4,7 +4,7 @@ import { useModule } from "../ui/hooks.ts";
 import type { Session } from "../ui/session.ts";
 import type { SceneView, ViewKind } from "./view.ts";
 
-export interface SceneHandle { setView(kind: ViewKind): void }
+export interface SceneHandle { setView(kind: ViewKind): void; cut(): void }
 
 const views: [ViewKind, string][] = [["follow", "Follow"], ["orbit", "Orbit"], ["top", "Top"]];
 
@@ -26,6 +26,10 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
     view.current?.setView(kind);
     session.changed();
   };
+  handle.cut = () => {
+    if (view.current) view.current.cut = !view.current.cut;
+    session.changed();
+  };
   const kind = view.current?.kind ?? "follow";
   return (
     <section class="scene" aria-label="scene">
@@ -36,6 +40,8 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
             {word}
           </button>
         ))}
+        <button aria-pressed={view.current?.cut ?? true} onClick={() => handle.cut()}
+          title="cut walls low (W)">Cut walls</button>
       </nav>
       <Legend />
     </section>

@@ -13,6 +13,8 @@ import { type Fan, FadingLine, Fans, type Point, Ribbon, Segments } from "./shap
 import { voxelsOfMap, voxelsOfPoints, VoxelView } from "./voxels.ts";
 
 const planPoints = 48;
+const planColor = "#f4f7fa";
+const tailColor = "#93a1af"; // where the plan only stops, and its corridor
 const corridorPeriod_s = 0.2;
 const maxPaths = 6;
 const reach_m = 2.5; // to which visible regions are drawn
@@ -28,11 +30,12 @@ export class VehicleView {
   private readonly paths = Array.from({ length: maxPaths }, () => new Ribbon(64));
   private readonly sectors = new Fans(4);
   private readonly regions = new Fans(64);
-  private readonly corridor = new Segments(1500, green, 0.4);
+  private readonly corridor = new Segments(1500, tailColor, 0.5);
   private readonly voxels = new VoxelView();
   private drawn = new WeakSet<object>(); // messages whose shapes are up to date
   private corridor_s = -Infinity;
   private trails = "";
+  private cut_m = Infinity;
 
   constructor(vehicle: Vehicle) {
     const color = colorOf(vehicle.index);
@@ -43,7 +46,7 @@ export class VehicleView {
       this.plan.mesh, this.voxels.mesh, this.details, ...this.paths.map((p) => p.mesh));
   }
 
-  update(state: State, vehicle: Vehicle, chosen: boolean): void {
+  update(state: State, vehicle: Vehicle, chosen: boolean, cut_m: number): void {
     const { latest } = vehicle;
     this.details.visible = chosen;
     const odometry = latest["odometry"];
@@ -62,7 +65,7 @@ export class VehicleView {
     if (prediction && this.isNew(prediction)) this.drawPaths(prediction.message);
     if (plan && this.isNew(plan)) this.drawPlan(plan.message);
     if (chosen) this.drawDetails(state, vehicle, fresh);
-    this.drawVoxels(vehicle);
+    this.drawVoxels(vehicle, cut_m);
   }
 
   private isNew(heard: object): boolean {
@@ -95,7 +98,7 @@ export class VehicleView {
     const points = samplePlan(plan, planPoints);
     const tail = duration_s(plan) > 0 ? plan.tail_start_s / duration_s(plan) : 1;
     const isTail = (i: number): boolean => i / planPoints > tail;
-    this.plan.set(points, 0.09, (i) => (isTail(i) ? orange : green),
+    this.plan.set(points, 0.09, (i) => (isTail(i) ? tailColor : planColor),
       (share) => (share > tail ? 0.45 : 0.95));
   }
 
@@ -130,11 +133,12 @@ export class VehicleView {
     }));
   }
 
-  private drawVoxels(vehicle: Vehicle): void {
+  private drawVoxels(vehicle: Vehicle, cut_m: number): void {
     const { "map/points": points, "map/local": map } = vehicle.latest;
     const usePoints = points && (!map || map.time_s - points.time_s < 3);
     const heard = usePoints ? points : map;
-    if (!heard || !this.isNew(heard)) return;
-    this.voxels.set(usePoints ? voxelsOfPoints(points.message) : voxelsOfMap(map!.message));
+    if (!heard || (!this.isNew(heard) && cut_m === this.cut_m)) return;
+    this.cut_m = cut_m;
+    this.voxels.set(usePoints ? voxelsOfPoints(points.message) : voxelsOfMap(map!.message), cut_m);
   }
 }

@@ -9,6 +9,8 @@ import type { Vehicle } from "../store/state.ts";
 import type { Session } from "../ui/session.ts";
 import { VehicleView } from "./vehicle_view.ts";
 
+const cutHeight_m = 1.1;
+
 export type ViewKind = "orbit" | "follow" | "top";
 
 const period_ms = 1000 / 30;
@@ -25,6 +27,7 @@ function drawsInSoftware(): boolean {
 
 export class SceneView {
   kind: ViewKind = "follow";
+  cut = true; // walls, so that they hide nothing
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(50, 1, 0.1, 300);
@@ -108,7 +111,7 @@ export class SceneView {
         this.vehicles.set(vehicle.name, view);
         this.scene.add(view.group);
       }
-      view.update(state, vehicle, vehicle === chosen);
+      view.update(state, vehicle, vehicle === chosen, this.cut ? cutHeight_m : Infinity);
     }
     if (chosen) this.moveCamera(chosen);
     this.controls.update();
@@ -145,7 +148,7 @@ export class SceneView {
     this.controls.target.copy(focus);
     const back = behind.lengthSq() > 0.01 ? behind.normalize() : new Vector3(-1, 0, 0);
     const offset = this.kind === "top" ? new Vector3(0, -0.01, 13)
-      : back.multiplyScalar(5).applyAxisAngle(new Vector3(0, 0, 1), 0.6).add(new Vector3(0, 0, 4.2));
+      : back.multiplyScalar(4.5).applyAxisAngle(new Vector3(0, 0, 1), 0.6).add(new Vector3(0, 0, 4.5));
     this.camera.position.copy(focus).add(offset);
   }
 
@@ -183,7 +186,7 @@ export class SceneView {
   private adapt(fps: number): void {
     const ratio = this.renderer.getPixelRatio();
     if (fps < 10 && ratio <= 0.5) this.period_ms = slowPeriod_ms;
-    const wanted = fps < 18 ? Math.max(0.5, 0.8 * ratio) : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
+    const wanted = fps < 12 ? Math.max(0.5, 0.8 * ratio) : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
     if (Math.abs(wanted - ratio) > 0.01) this.renderer.setPixelRatio(wanted);
   }
 }

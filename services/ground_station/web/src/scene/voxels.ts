@@ -9,7 +9,7 @@ export interface Voxels { resolution_m: number; centers: Float32Array } // x, y,
 
 const occupied = 1;
 const ground_m = 0.3; // what is no higher is the ground, and would hide what is drawn on it
-const maxColumns = 12000;
+const maxBlocks = 12000;
 
 export function voxelsOfMap(map: LocalMap): Voxels {
   const { resolution_m, origin_m, size_x, size_y, size_z, cells } = map;
@@ -41,30 +41,65 @@ export function voxelsOfPoints(cloud: PointCloud2): Voxels {
   return { resolution_m: Number.isFinite(step) ? Math.min(step, 1) : 0.15, centers };
 }
 
-/** A stretch of occupied cells, one above the other. */
-export interface Column { x: number; y: number; low_m: number; high_m: number }
+/** A box of occupied cells, by its corners. */
+export interface Block {
+  x0: number; x1: number; y0: number; y1: number; z0: number; z1: number;
+}
 
-/** Cells that stand on each other as one box: what stands in a room is mostly upright. */
-export function columns({ centers, resolution_m: r }: Voxels): Column[] {
+/**
+ * The same cells as few boxes: first upright, as what stands in a room mostly is, then along x, then
+ * along y. Below floor_m is the ground; what is above ceiling_m is cut off.
+ */
+export function blocks(voxels: Voxels, floor_m = -Infinity, ceiling_m = Infinity): Block[] {
+  const r = voxels.resolution_m;
+  const upright = columns(voxels).filter((b) => b.z1 * r > floor_m && b.z0 * r < ceiling_m)
+    .map((b) => ({ ...b, z1: Math.min(b.z1, Math.ceil(ceiling_m / r)) }));
+  const along = (b: Block): string => `${b.y0} ${b.z0} ${b.z1}`;
+  const rows = merge(upright.sort((a, b) => a.y0 - b.y0 || a.x0 - b.x0), along, "x0", "x1");
+  const across = (b: Block): string => `${b.x0} ${b.x1} ${b.z0} ${b.z1}`;
+  const merged = merge(rows.sort((a, b) => a.y0 - b.y0), across, "y0", "y1");
+  return merged.map((b) => ({ x0: b.x0 * r, x1: b.x1 * r, y0: b.y0 * r, y1: b.y1 * r,
+    z0: b.z0 * r, z1: Math.min(b.z1 * r, ceiling_m) }));
+}
+
+// In whole cells.
+function columns({ centers, resolution_m: r }: Voxels): Block[] {
   const cell = (value: number): number => Math.floor(value / r + 1e-3);
-  const stacks = new Map<number, { x: number; y: number; levels: number[] }>();
+  const stacks = new Map<number, number[]>(); // levels by place
   for (let n = 0; n < centers.length; n += 3) {
-    const [x, y] = [centers[n]!, centers[n + 1]!];
-    const key = cell(x) + 65536 * cell(y);
-    const stack = stacks.get(key) ?? { x, y, levels: [] };
-    stack.levels.push(cell(centers[n + 2]!));
-    stacks.set(key, stack);
+    const key = cell(centers[n]!) + 32768 + 65536 * (cell(centers[n + 1]!) + 32768);
+    const levels = stacks.get(key);
+    if (levels) levels.push(cell(centers[n + 2]!));
+    else stacks.set(key, [cell(centers[n + 2]!)]);
   }
-  const found: Column[] = [];
-  for (const { x, y, levels } of stacks.values()) {
+  const found: Block[] = [];
+  for (const [key, levels] of stacks) {
+    const [x0, y0] = [(key % 65536) - 32768, Math.floor(key / 65536) - 32768];
     levels.sort((a, b) => a - b);
     levels.forEach((level, i) => {
-      const last = i > 0 ? found[found.length - 1]! : undefined;
-      if (last && level - levels[i - 1]! <= 1) last.high_m = (level + 1) * r;
-      else found.push({ x, y, low_m: level * r, high_m: (level + 1) * r });
+      if (i > 0 && level - levels[i - 1]! <= 1) found[found.length - 1]!.z1 = level + 1;
+      else found.push({ x0, x1: x0 + 1, y0, y1: y0 + 1, z0: level, z1: level + 1 });
     });
   }
   return found;
+}
+
+// Joins boxes of one kind that touch: the end of one is the begin of the next. Sorted by begin.
+function merge(boxes: Block[], kind: (b: Block) => string, begin: "x0" | "y0",
+               end: "x1" | "y1"): Block[] {
+  const open = new Map<string, Block>();
+  const merged: Block[] = [];
+  for (const box of boxes) {
+    const before = open.get(kind(box));
+    if (before && before[end] === box[begin]) {
+      before[end] = box[end];
+      continue;
+    }
+    const own = { ...box };
+    open.set(kind(box), own);
+    merged.push(own);
+  }
+  return merged;
 }
 
 // Faces are lit by their direction and height alone: as cheap as can be.
@@ -83,7 +118,7 @@ function litBox(): BoxGeometry {
 
 export class VoxelView {
   readonly mesh = new InstancedMesh(litBox(), new MeshBasicMaterial({ vertexColors: true }),
-    maxColumns);
+    maxBlocks);
 
   constructor() {
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
@@ -92,17 +127,17 @@ export class VoxelView {
     this.mesh.count = 0;
   }
 
-  set(voxels: Voxels): void {
-    const found = columns(voxels).filter((c) => c.high_m > ground_m).slice(0, maxColumns);
-    const width_m = 0.96 * voxels.resolution_m;
+  /** What stands higher than cut_m is cut off there, so that one looks into rooms and streets. */
+  set(voxels: Voxels, cut_m: number): void {
+    const found = blocks(voxels, ground_m, cut_m).slice(0, maxBlocks);
     const place = new Object3D();
     const color = new Color();
-    found.forEach(({ x, y, low_m, high_m }, n) => {
-      place.position.set(x, y, (low_m + high_m) / 2);
-      place.scale.set(width_m, width_m, high_m - low_m);
+    found.forEach(({ x0, x1, y0, y1, z0, z1 }, n) => {
+      place.position.set((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
+      place.scale.set(x1 - x0, y1 - y0, z1 - z0);
       place.updateMatrix();
       this.mesh.setMatrixAt(n, place.matrix);
-      const height = Math.min(1, Math.max(0, high_m / 4)); // cool and dark below, pale above
+      const height = Math.min(1, Math.max(0, z1 / 4)); // cool and dark below, pale above
       this.mesh.setColorAt(n, color.setHSL(0.58, 0.22, 0.24 + 0.3 * height));
     });
     this.mesh.count = found.length;

@@ -13,7 +13,7 @@ import { compareStations, hearStation, watchTime } from "./watch.ts";
 export type Input =
   | { kind: "sample"; sample: Sample }
   | { kind: "time"; now_s: number }
-  | { kind: "link"; open: boolean; reason: string }
+  | { kind: "link"; open: boolean; reason: string; now_s: number }
   | { kind: "acknowledge"; key: string }
   | { kind: "problem"; text: string };
 
@@ -28,6 +28,7 @@ export function reduce(state: State, input: Input): State {
       watchTime(state);
       break;
     case "link":
+      state.now_s = input.now_s;
       foldLink(state, input.open, input.reason);
       break;
     case "acknowledge":

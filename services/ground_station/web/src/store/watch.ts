@@ -4,6 +4,7 @@ import { hold, note } from "./alarms.ts";
 import { age_s, type State } from "./state.ts";
 
 export const stale_s = 1.0; // state topics come at 20 Hz and more
+const gateSilent_s = 2.0;
 export const gone_s = 2.5; // a vehicle that says nothing at all
 export const silent_s = 3.5; // a service; its health comes once a second
 
@@ -14,7 +15,7 @@ export function watchTime(state: State): void {
     hold(state, vehicle.name, "silent", gone, "alarm",
       `nothing heard for ${quiet_s.toFixed(0)} s`);
     const gate_s = age_s(state, vehicle.latest["safety/state"]);
-    hold(state, vehicle.name, "gate silent", !gone && gate_s > stale_s, "alarm",
+    hold(state, vehicle.name, "gate silent", !gone && gate_s > gateSilent_s, "alarm",
       `the safety gate is silent for ${gate_s.toFixed(0)} s`);
     for (const [name, heard] of vehicle.services) {
       const service_s = age_s(state, heard);

@@ -3,6 +3,7 @@ import type { Session } from "./session.ts";
 
 export interface KeyActions {
   view(view: "orbit" | "follow" | "top"): void;
+  cut(): void;
   tab(index: number): void;
   bookmark(): void;
   stop(pressed: boolean): void;
@@ -13,6 +14,7 @@ export const keyHelp: [string, string][] = [
   ["hold S", "STOP the chosen vehicle"],
   ["[ ]", "previous, next vehicle"],
   ["O F T", "orbit, follow, top view"],
+  ["W", "cut walls low, or not"],
   ["A", "acknowledge all alarms"],
   ["1 … 5", "events, diagnostics, topics, recordings, commands"],
   ["+ −", "longer, shorter plots"],
@@ -47,6 +49,7 @@ function press(key: string, shift: boolean, session: Session, actions: KeyAction
     "o": () => actions.view("orbit"),
     "f": () => actions.view("follow"),
     "t": () => actions.view("top"),
+    "w": () => actions.cut(),
     "a": () => session.tell({ kind: "acknowledge", key: "all" }),
     "+": () => changeSpan(session, 1),
     "=": () => changeSpan(session, 1),

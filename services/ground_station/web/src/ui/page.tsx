@@ -78,11 +78,12 @@ export function Page({ session }: { session: Session }) {
   const [tab, setTab] = useState<Tab>("Events");
   const [narrowTab, setNarrowTab] = useState<Tab>("Scene");
   const [help, setHelp] = useState(false);
-  const scene = useRef<SceneHandle>({ setView: () => {} }).current;
+  const scene = useRef<SceneHandle>({ setView: () => {}, cut: () => {} }).current;
   const stop = useRef<(pressed: boolean) => void>(() => {});
   const mark = useRef<() => void>(() => {});
   useEffect(() => listenToKeys(session, {
     view: (kind) => scene.setView(kind),
+    cut: () => scene.cut(),
     tab: (i) => {
       setTab(tabs[i]!);
       setNarrowTab(tabs[i]!);

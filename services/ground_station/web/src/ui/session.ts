@@ -41,7 +41,7 @@ export class Session {
   constructor(url: string) {
     const { state } = this.live;
     this.link = new LiveLink(() => url + this.operator.query(), {
-      link: (open, reason) => this.tell({ kind: "link", open, reason }),
+      link: (open, reason) => this.tell({ kind: "link", open, reason, now_s: this.link.now_s() }),
       problem: (text) => reduce(state, { kind: "problem", text }),
     });
   }

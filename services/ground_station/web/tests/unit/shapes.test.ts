@@ -4,7 +4,7 @@ import { test } from "node:test";
 import type { CorridorFace, LocalMap, PointCloud2 } from "../../src/data/messages.ts";
 import { stacked } from "../../src/plots/frames.ts";
 import { polytopeEdges } from "../../src/scene/corridor.ts";
-import { columns, voxelsOfMap, voxelsOfPoints } from "../../src/scene/voxels.ts";
+import { blocks, voxelsOfMap, voxelsOfPoints } from "../../src/scene/voxels.ts";
 import { Series, Trail } from "../../src/store/series.ts";
 
 const cube: CorridorFace[] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
@@ -25,17 +25,40 @@ test("an empty polytope has no edges", () => {
 
 function mapOf(occupied: [number, number, number][]): LocalMap {
   const cells = new Uint8Array(4 * 4 * 8);
-  for (const [i, j, k] of occupied) cells[i + 4 * (j + 4 * k)] = 1;
   cells[5] = 2; // unknown is not occupied
+  for (const [i, j, k] of occupied) cells[i + 4 * (j + 4 * k)] = 1;
   return { header: { stamp: { sec: 0 }, frame_id: "map" }, resolution_m: 0.5, origin_m: [-1, 0, 0],
     size_x: 4, size_y: 4, size_z: 8, cells };
 }
 
-test("cells above each other are one column, a gap makes two", () => {
-  const found = columns(voxelsOfMap(mapOf([[0, 0, 0], [0, 0, 1], [0, 0, 4], [2, 3, 7]])));
+test("cells above each other are one box, a gap makes two", () => {
+  const found = blocks(voxelsOfMap(mapOf([[0, 0, 0], [0, 0, 1], [0, 0, 4], [2, 3, 7]])));
   assert.deepEqual(found, [
-    { x: -0.75, y: 0.25, low_m: 0, high_m: 1 }, { x: -0.75, y: 0.25, low_m: 2, high_m: 2.5 },
-    { x: 0.25, y: 1.75, low_m: 3.5, high_m: 4 }]);
+    { x0: -1, x1: -0.5, y0: 0, y1: 0.5, z0: 0, z1: 1 },
+    { x0: -1, x1: -0.5, y0: 0, y1: 0.5, z0: 2, z1: 2.5 },
+    { x0: 0, x1: 0.5, y0: 1.5, y1: 2, z0: 3.5, z1: 4 }]);
+});
+
+test("boxes cover exactly the occupied cells, each once", () => {
+  const random = (n: number): number => (Math.sin(n * 12.9898) * 43758.5453) % 1;
+  const cells: [number, number, number][] = [];
+  for (let n = 0; n < 128; n++)
+    if (Math.abs(random(n)) < 0.6) cells.push([n % 4, (n >> 2) % 4, n >> 4]);
+  const covered = blocks(voxelsOfMap(mapOf(cells))).flatMap((b) => {
+    const inside: string[] = [];
+    for (let x = b.x0; x < b.x1; x += 0.5)
+      for (let y = b.y0; y < b.y1; y += 0.5)
+        for (let z = b.z0; z < b.z1; z += 0.5) inside.push(`${2 * x + 2} ${2 * y} ${2 * z}`);
+    return inside;
+  });
+  assert.deepEqual(covered.sort(), cells.map((c) => c.join(" ")).sort());
+});
+
+test("a wall is one box, cut at the ceiling, without the ground", () => {
+  const wall = [0, 1, 2, 3].flatMap((i) => [0, 1, 2, 3, 4, 5].map((k): [number, number, number] => [i, 1, k]));
+  const ground: [number, number, number][] = [[0, 3, 0], [1, 3, 0]];
+  assert.deepEqual(blocks(voxelsOfMap(mapOf([...wall, ...ground])), 0.6, 1.2),
+    [{ x0: -1, x1: 1, y0: 0.5, y1: 1, z0: 0, z1: 1.2 }]);
 });
 
 test("the cloud of a map's cells gives the map's voxels", () => {
