@@ -16,12 +16,14 @@ interface Row {
   bytes_s: number;
   writers: number | null;
   readers: number | null;
+  resting: boolean; // nobody reads it, so its figures are the last known
   problems: string[];
 }
 
 function measured(state: State, t: Traffic): Row {
   return { topic: t.topic, type: t.type, rate_hz: t.rate_hz, age_s: state.now_s - t.heard_s,
-    size: t.bytes, bytes_s: t.bytes_s, writers: null, readers: null, problems: [] };
+    size: t.bytes, bytes_s: t.bytes_s, writers: null, readers: null,
+    resting: false, problems: [] };
 }
 
 const strip = (topic: string): string => topic.replace(/^\//, "").replace(/^rt\//, "");
@@ -39,20 +41,20 @@ export function topicRows(state: State, withStation: boolean): Row[] {
     if (t.limited) problems.push("limited");
     rows.set(strip(t.topic), { topic: t.topic, type: t.type, rate_hz: t.rate_hz, age_s: t.age_s ?? -1,
       size: t.rate_hz > 0 ? t.bytes_s / t.rate_hz : here?.size ?? null, bytes_s: t.bytes_s,
-      writers: t.writers, readers: t.readers, problems });
+      writers: t.writers, readers: t.readers, resting: t.resting ?? false, problems });
   }
   return [...rows.values()].sort((a, b) =>
     b.problems.length - a.problems.length || strip(a.topic).localeCompare(strip(b.topic)));
 }
 
 function TopicRow({ row }: { row: Row }) {
-  const silent = row.age_s < 0 || row.age_s > 3;
+  const silent = !row.resting && (row.age_s < 0 || row.age_s > 3);
   return (
     <tr data-topic={strip(row.topic)} class={silent ? "stale" : ""}>
       <td>{strip(row.topic)}</td>
       <td class="type">{row.type.replace(/^.*[/:]([^/:]+?)_?$/, "$1")}</td>
       <td class="n" data-field="rate">{number(row.rate_hz, 1, "Hz")}</td>
-      <td class="n" data-field="age">{age(row.age_s)}</td>
+      <td class="n" data-field="age">{row.resting ? "resting" : age(row.age_s)}</td>
       <td class="n">{row.size === null ? "–" : bytes(row.size)}</td>
       <td class="n">{bytes(row.bytes_s)}/s</td>
       <td class="n" data-field="writers">{row.writers ?? "–"}</td>

@@ -114,7 +114,7 @@ export class VehicleView {
     this.regions.set(plan.message.visible_regions.map((region): Fan => ({
       center: [region.target_position_m[0]!, region.target_position_m[1]!, 0.03],
       radius_m: reach_m, bisector_rad: region.bisector_yaw_rad, half_rad: region.half_angle_rad,
-      color: blue, alpha: 0.5 / Math.max(4, plan.message.visible_regions.length),
+      color: blue, alpha: 0.9 / Math.max(4, plan.message.visible_regions.length),
     })));
     this.corridor.set(plan.message.corridor.flatMap(({ faces }) =>
       polytopeEdges(faces.slice(0, 40))));

@@ -32,7 +32,7 @@ export class SceneView {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(50, 1, 0.1, 300);
   private readonly controls: OrbitControls;
-  private readonly grid = new GridHelper(80, 80, "#3b4a59", "#222c36");
+  private readonly grid = new GridHelper(80, 80, "#4a5b6a", "#344250");
   private readonly vehicles = new Map<string, VehicleView>();
   private readonly labels = new Map<string, HTMLElement>();
   private readonly focus = new Vector3();
@@ -89,6 +89,7 @@ export class SceneView {
     this.update();
     this.renderer.render(this.scene, this.camera);
     this.placeLabels();
+    if (this.placed && !this.host.dataset["first"]) this.host.dataset["first"] = now_ms.toFixed(0);
     this.count(now_ms);
   };
 
