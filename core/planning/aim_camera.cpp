@@ -19,6 +19,13 @@ Vec3 mean_direction(const Vec3& from, const ExpectedTarget& expected, double t_s
   return sum;
 }
 
+// From where the plan begins to where the target then is: one direction for the whole plan.
+Vec3 present_direction(const PlanStart& start, const ExpectedTarget& expected, double step_s) {
+  const ExpectedPath& path = expected.paths[0];
+  return path.positions_enu_m.front() - step_s * path.velocities_enu_m_s.front() -
+         start.state.position;
+}
+
 AngleLimits yaw_limits(const PlanningParams& p) {
   return {p.limits.yaw_rate_max_rad_s, p.limits.yaw_acceleration_max_rad_s2,
           0.5 * p.view.fov_horizontal_rad - p.view.fov_margin_rad, p.view.yaw_effort};
@@ -49,7 +56,9 @@ void aim_camera(const PlanStart& start, const ExpectedTarget& expected,
   for (int i = 1; i <= nodes; ++i) {
     const double t_s = i * dt_s;
     const Vec3 direction =
-        mean_direction(trajectory.position(t_s), expected, t_s, params.horizon.step_s);
+        params.view.yaw_ahead
+            ? mean_direction(trajectory.position(t_s), expected, t_s, params.horizon.step_s)
+            : present_direction(start, expected, params.horizon.step_s);
     const double along = direction.head<2>().norm();
     if (along > 0.1) {
       yaw_rad = yaw_of(Vec2(direction.head<2>()));

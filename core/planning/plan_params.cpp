@@ -68,6 +68,8 @@ ParamRows rows(ViewParams& p) {
       {"fov_horizontal_rad", &p.fov_horizontal_rad, "rad", 0.2, 3.1, "angle of view"},
       {"fov_margin_rad", &p.fov_margin_rad, "rad", 0.0, 1.0,
        "the yaw plan keeps the target so far inside the angle of view"},
+      {"yaw_ahead", &p.yaw_ahead, "", 0, 0,
+       "yaw follows where the target is expected; else it points to where the target is"},
       {"yaw_effort", &p.yaw_effort, "s4", 1e-6, 1.0,
        "weight of squared yaw acceleration against squared bearing error"},
       {"search_look_s", &p.search_look_s, "s", 0.0, 60.0,

@@ -51,6 +51,7 @@ struct PlaceParams {
 struct ViewParams {
   double fov_horizontal_rad = 1.5708;
   double fov_margin_rad = 0.2;     // the plan keeps the target this far inside
+  bool yaw_ahead = true;           // yaw follows the expected target; else where it is now
   double yaw_effort = 0.002;       // weight of (rad/s²)² against rad² of bearing error
   double search_look_s = 1.0;      // where a target was lost, the camera looks there for so long
   double search_rate_rad_s = 1.2;  // then turns round

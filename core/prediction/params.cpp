@@ -20,6 +20,10 @@ ParamRows rows(PredictionParams& p) {
   return {
       {"horizon_s", &p.horizon_s, "s", 0.2, 10.0, "how far ahead paths reach, T_p"},
       {"step_s", &p.step_s, "s", 0.05, 1.0, "time between predicted states, Δ"},
+      {"intention_paths", &p.intention_paths, "", 0, 0,
+       "a path for each intention; else one of constant velocity unless blocked"},
+      {"around_obstacles", &p.around_obstacles, "", 0, 0,
+       "paths lead around obstacles; else one of constant velocity whatever stands there"},
       {"region_horizon_s", &p.region_horizon_s, "s", 0.1, 5.0, "what the reachable region covers"},
       {"region_min_radius_m", &p.region_min_radius_m, "m", 0.1, 10.0, "its least radius"},
       {"region_rays_per_side", &p.region_rays_per_side, "", 2, 90, "rays over 90 degrees"},

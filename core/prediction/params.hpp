@@ -11,6 +11,8 @@ struct PredictionParams {
   // Prediction
   double horizon_s = 3.0;
   double step_s = 0.2;
+  bool intention_paths = true;   // a path for each intention; else constant velocity unless blocked
+  bool around_obstacles = true;  // else one straight path, whatever stands in its way
   // Reachable region
   double region_horizon_s = 1.0;
   double region_min_radius_m = 1.0;

@@ -80,6 +80,15 @@ void add_blocked_path(PredictionState& state, const TargetState& target,
   for (int k = 0; k < params.step_count(); ++k) writer.add(model);
 }
 
+// Constant velocity, whatever stands in its way: to compare with.
+void add_straight_path(PredictionState& state, const TargetState& target,
+                       const PredictionParams& params) {
+  PredictedPath& path = start_path(state, Intention::kForward);
+  path.probability = 1.0;
+  PathWriter writer(path, target, params);
+  for (int k = 0; k < params.step_count(); ++k) writer.add(MotionModel::constant_velocity());
+}
+
 SearchStatus add_searched_path(PredictionState& state, const TargetState& target,
                                const SearchRequest& request, const GridMap& map,
                                const PredictionParams& params) {
@@ -123,8 +132,10 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
                    const GridMap& map, const PredictionParams& params) {
   clear_prediction(state, target.stamp_s, PredictionStatus::kOk);
   Prediction& prediction = state.result.prediction;
+  if (!params.around_obstacles) return add_straight_path(state, target, params);
   if (map.is_occupied(target.position_enu_m)) return add_blocked_path(state, target, params);
   for (const auto& row : intention_table()) {
+    if (!params.intention_paths && row.intention != Intention::kForward) continue;
     if (is_turn(row.intention) && !motion.walking) continue;  // who stands has no path to bend
     const SearchRequest request{motion.state, motion.height_m, motion.recent_turn_rad,
                                 row.intention};

@@ -82,7 +82,7 @@ MetricParams metric_params_of(const TrackerParams& params) {
 }
 
 FlightResult fly(const Scenario& scenario, const TrackerParams& params,
-                 const FlightOptions& options) {
+                 const FlightOptions& options, const TrackerWatch& watch) {
   using Clock = std::chrono::steady_clock;
   TrackerState tracker(params);
   FlightRow last;
@@ -98,6 +98,7 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
     const TrackerOutput out = step(tracker, input, params);
     if (out.planned)
       s.plan_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    if (watch) watch(out);
     s.command = command_of(out.gate);
     write_decision(out, last, s.row);
   };

@@ -9,9 +9,12 @@ namespace foretrack {
 /// The limits and the distance band of the metrics are those that the planner was given.
 MetricParams metric_params_of(const TrackerParams& params);
 
+/// Is shown what the tracker put out in each step.
+using TrackerWatch = std::function<void(const TrackerOutput&)>;
+
 /// Flies the scenario with the tracker. The same scenario and parameters give the same rows, on any
 /// machine with the same program.
 FlightResult fly(const Scenario& scenario, const TrackerParams& params,
-                 const FlightOptions& options = {});
+                 const FlightOptions& options = {}, const TrackerWatch& watch = {});
 
 }  // namespace foretrack

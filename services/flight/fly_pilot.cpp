@@ -27,20 +27,20 @@ FlightResult fly_pilot(const Scenario& scenario, const Pilot& pilot, const Metri
   if (scenario.map == MapSource::kKnown)
     known = known_map(simulator.world, scenario.map_resolution_m);
   const auto steps = static_cast<std::size_t>(std::lround(scenario.duration_s / options.step_s));
-  FlightResult result{.scenario = scenario, .world = simulator.world, .rows = {}, .metrics = {}};
+  FlightResult result{
+      .scenario = scenario, .world = simulator.world, .rows = {}, .metrics = {}, .plan_ms = {}};
   result.rows.reserve(steps);
-  std::vector<double> plan_ms;
   AutopilotInput command;
   for (std::size_t i = 0; i < steps; ++i) {
     const SimulatorOutput& out = simulate(simulator, command, options.step_s);
     command = AutopilotInput{};
     FlightRow& row = result.rows.emplace_back();
     write_truth(simulator, row);
-    pilot({out, known.empty() ? nullptr : &known, command, row, plan_ms});
+    pilot({out, known.empty() ? nullptr : &known, command, row, result.plan_ms});
     if (options.progress && !options.progress(out.now_s)) break;
   }
   result.metrics = metrics_of(result.rows, metrics);
-  result.metrics.plan_ms = quantiles_of(std::move(plan_ms));
+  result.metrics.plan_ms = quantiles_of(result.plan_ms);
   return result;
 }
 

@@ -31,6 +31,7 @@ struct FlightResult {
   World world;  // as it was flown in
   std::vector<FlightRow> rows;
   Metrics metrics;
+  std::vector<double> plan_ms;  // wall time of each step that replanned; not part of the log
 };
 
 /// Flies the scenario for its duration. What a pilot commands reaches the autopilot in the next

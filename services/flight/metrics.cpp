@@ -119,16 +119,31 @@ void measure_safety(Rows rows, const MetricParams& p, Metrics& m) {
   m.smoothness_m2_s5 = jerk2 / (step_s * step_s) / static_cast<double>(rows.size() - 1);
 }
 
-TurnRecord judge_turn(Rows rows, const TargetEvent& event, const MetricParams& p) {
-  const Rows window = between(rows, event.begin_s - 1.0, event.begin_s + 4.0);
-  TurnRecord record{.event = event};
-  record.longest_loss_s = longest(runs_s(window, step_of(rows), unseen));
+bool collides(Rows rows, const MetricParams& p) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const FlightRow& r) { return r.clearance_m < p.vehicle_radius_m; });
+}
+
+EventRecord record_of(Rows window, double step_s, const TargetEvent& event, const MetricParams& p) {
+  EventRecord record{.event = event};
+  record.longest_loss_s = longest(runs_s(window, step_s, unseen));
   record.min_distance_m = least_distance_m(window);
-  record.collided = std::any_of(window.begin(), window.end(), [&](const FlightRow& r) {
-    return r.clearance_m < p.vehicle_radius_m;
-  });
+  record.collided = collides(window, p);
+  return record;
+}
+
+EventRecord judge_turn(Rows rows, const TargetEvent& event, const MetricParams& p) {
+  EventRecord record =
+      record_of(between(rows, event.begin_s - 1.0, event.begin_s + 4.0), step_of(rows), event, p);
   record.success = !record.collided && record.longest_loss_s <= p.turn_loss_s + 1e-9 &&
                    record.min_distance_m >= p.band_low_m - p.turn_distance_slack_m;
+  return record;
+}
+
+EventRecord judge_deceleration(Rows window, double step_s, const TargetEvent& event,
+                               const MetricParams& p) {
+  EventRecord record = record_of(window, step_s, event, p);
+  record.success = !record.collided && record.min_distance_m >= p.near_m;
   return record;
 }
 
@@ -147,6 +162,7 @@ void measure_events(Rows rows, const std::vector<TargetEvent>& events, const Met
     least_m = std::min(least_m, least_distance_m(window));
     for (const auto& row : window)
       if (row.distance_m() < p.band_low_m) m.deceleration_below_band_s += step_of(rows);
+    m.deceleration_records.push_back(judge_deceleration(window, step_of(rows), event, p));
   }
   m.turn_success_95 = wilson(m.turn_successes, m.turns);
   if (m.decelerations > 0) m.deceleration_min_distance_m = least_m;

@@ -35,7 +35,10 @@ struct Interval95 {
 };
 Interval95 wilson(int successes, int trials);
 
-struct TurnRecord {
+/// How one turn or sudden stop went. A turn succeeds without a collision, a loss of sight longer
+/// than turn_loss_s in [−1, +4] s, and a distance below d_l − turn_distance_slack_m; a deceleration
+/// without a collision and a distance below near_m in the 3 s that follow.
+struct EventRecord {
   TargetEvent event;
   double longest_loss_s = 0.0;
   double min_distance_m = 0.0;
@@ -87,7 +90,8 @@ struct Metrics {
   // Most probable path, 0.5, 1, 2 and 3 s ahead: mean error.
   std::array<double, kForesight_s.size()> foresight_error_m{};
   Quantiles plan_ms;  // wall time of a step that replans; not part of the log
-  std::vector<TurnRecord> turn_records;
+  std::vector<EventRecord> turn_records;
+  std::vector<EventRecord> deceleration_records;
 };
 
 /// Definitions: docs/metrics.md. Precondition: rows at equal steps. plan_ms stays empty.

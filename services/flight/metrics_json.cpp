@@ -12,7 +12,7 @@ Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json json_of_turn(const TurnRecord& turn) {
+Json json_of_turn(const EventRecord& turn) {
   return {{"kind", kIntentionNames[index_of(turn.event.kind)]},
           {"begin_s", turn.event.begin_s},
           {"end_s", turn.event.end_s},
