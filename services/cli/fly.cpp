@@ -57,7 +57,8 @@ void print_summary(const Metrics& m, const std::string& hash, const std::string&
 
 int fly_with(const FlyOptions& o) {
   const Scenario scenario = load_scenario(o.scenario, o.overrides);
-  const TrackerParams params = o.params.empty() ? TrackerParams{} : load_params(o.params);
+  const TrackerParams params =
+      o.params.empty() ? TrackerParams{} : load_params(find_params(o.params));
   const FlightResult flight = fly(scenario, params, with_progress_line(scenario.duration_s));
   if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r{:40}\r", "");
   std::string hash;
@@ -82,10 +83,13 @@ std::function<int()> prepare_fly(CLI::App& app) {
   app.add_option("--seed", o->overrides.seed, "instead of the scenario's");
   app.add_option("--map", o->map, "where the map comes from")
       ->check(CLI::IsMember({"known", "depth"}));
-  app.add_option("--params", o->params, "parameter file")->check(CLI::ExistingFile);
+  app.add_option("--params", o->params, "parameter file, or the name of a shipped one");
+  app.add_option("--set", o->overrides.settings,
+                 "KEY=VALUE of the scenario instead of the file's, as target.speed_m_s=2.0");
   app.add_option("--track", o->overrides.track_file, "walk as a recorded pedestrian of this file")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", o->overrides.pedestrian, "which one of the track file");
+  app.add_option("--track-rate", o->overrides.track_rate_hz, "frames a second of the track file");
   app.add_option("--for", o->overrides.duration_s, "seconds to fly")->check(CLI::PositiveNumber);
   app.add_option("--out", o->out, "folder for log.csv, metrics.json and flight.png");
   app.add_flag("--json", o->json, "print the metrics as JSON");

@@ -1,11 +1,14 @@
 #include "services/config/load_params.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include "services/config/yaml_reader.hpp"
+#include "services/share/share.hpp"
 
 namespace foretrack {
 namespace {
@@ -59,6 +62,23 @@ Stages stages_of(TrackerParams& params) {
   return {{"tracker", rows(params.tracker)},   {"perception", rows(params.perception)},
           {"mapping", rows(params.mapping)},   {"prediction", rows(params.prediction)},
           {"planning", rows(params.planning)}, {"safety", rows(params.safety)}};
+}
+
+std::string find_params(const std::string& name_or_file) {
+  namespace fs = std::filesystem;
+  if (fs::is_regular_file(name_or_file)) return name_or_file;
+  std::vector<std::string> names;
+  for (const auto& folder : share_folders()) {
+    const fs::path shipped = folder / "deploy" / "params" / (name_or_file + ".yaml");
+    if (fs::is_regular_file(shipped)) return shipped.string();
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder / "deploy" / "params", error))
+      if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  throw std::invalid_argument(fmt::format("no parameter file or name '{}'; shipped are {}",
+                                          name_or_file, fmt::join(names, ", ")));
 }
 
 TrackerParams load_params(const std::string& file) {

@@ -14,6 +14,10 @@ namespace foretrack {
 /// prediction, planning, safety. Valid as long as the params are.
 std::vector<std::pair<std::string_view, ParamRows>> stages_of(TrackerParams& params);
 
+/// The parameter file of that name, or of a shipped one (deploy/params/NAME.yaml). Throws
+/// std::invalid_argument that lists those that ship.
+std::string find_params(const std::string& name_or_file);
+
 /// Defaults with the file's values. Throws std::invalid_argument that names every fault (unknown
 /// section or key, bad text, NaN, out of range) with file and line.
 TrackerParams load_params(const std::string& file);

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/common/random.hpp"
+#include "services/config/octree_world.hpp"
 #include "services/config/yaml_reader.hpp"
 #include "services/share/share.hpp"
 
@@ -18,6 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr double kFar_m = 1000.0;
 constexpr double kTrackMargin_m = 8.0;
+constexpr std::uint64_t kStopsPart = 5;  // of the scenario's seed; the simulator uses those below
 constexpr std::array<std::string_view, 2> kTrackFormats = {"opentraj", "xy"};
 
 struct TrackSource {
@@ -26,6 +29,12 @@ struct TrackSource {
   int pedestrian = 1;
   double rate_hz = 25.0;
   Vec2 offset_m = Vec2::Zero();
+};
+
+// Stops drawn from the scenario's seed: the walks between them, and how long they last.
+struct RandomStops {
+  Vec2 every_s = Vec2::Zero();
+  Vec2 for_s = Vec2(1.0, 3.0);
 };
 
 void check_extent(YamlReader& r, std::string_view key, const Vec3& min, const Vec3& max) {
@@ -43,8 +52,9 @@ void read_bounds(YamlReader& r, World& world) {
   check_extent(r, "bounds_m", world.min_m, world.max_m);
 }
 
-void read_world(YamlReader& r, Scenario& s, bool& generator_has_seed) {
+void read_world(YamlReader& r, Scenario& s, bool& generator_has_seed, std::string& octree) {
   read_bounds(r, s.world);
+  r.text("octree", octree);
   r.list("boxes", [&](YamlReader& item) {
     Box box;
     if (!item.has("min_m") || !item.has("max_m")) item.fault("min_m", "min_m and max_m are needed");
@@ -81,7 +91,18 @@ void read_track(YamlReader& r, TrackSource& track) {
   r.point("offset_m", track.offset_m);
 }
 
-void read_target(YamlReader& r, TargetSpec& target, std::optional<TrackSource>& track) {
+void read_random_stops(YamlReader& r, RandomStops& stops) {
+  if (!r.has("every_s")) r.fault("every_s", "is needed");
+  r.point("every_s", stops.every_s);
+  r.point("for_s", stops.for_s);
+  if (stops.every_s.x() < 0.5 || stops.every_s.y() < stops.every_s.x())
+    r.fault("every_s", "expected [least, greatest], the least at least 0.5 s");
+  if (stops.for_s.x() < 0.0 || stops.for_s.y() < stops.for_s.x())
+    r.fault("for_s", "expected [least, greatest]");
+}
+
+void read_target(YamlReader& r, TargetSpec& target, std::optional<TrackSource>& track,
+                 std::optional<RandomStops>& random_stops) {
   PersonParams& person = target.person;
   r.points("route_m", target.route_m);
   r.number("speed_m_s", target.speed_m_s, 0.1, 5.0);
@@ -96,9 +117,13 @@ void read_target(YamlReader& r, TargetSpec& target, std::optional<TrackSource>& 
     item.number("for_s", stop.for_s, 0.0, 1e5);
     person.stops.push_back(stop);
   });
+  r.section("random_stops", [&](YamlReader& t) { read_random_stops(t, random_stops.emplace()); });
+  if (random_stops && !person.stops.empty())
+    r.fault("random_stops", "give either stops or random_stops");
   r.section("track", [&](YamlReader& t) { read_track(t, track.emplace()); });
   if (track && !target.route_m.empty()) r.fault("track", "give either route_m or track");
-  if (track && !person.stops.empty()) r.fault("stops", "a recorded track has its own stops");
+  if (track && (!person.stops.empty() || random_stops))
+    r.fault("stops", "a recorded track has its own stops");
 }
 
 void read_vehicle(YamlReader& r, Scenario& s) {
@@ -154,14 +179,59 @@ std::vector<TrackPoint> load_track(const TrackSource& source, const fs::path& sc
   return points;
 }
 
-void bounds_around(const std::vector<TrackPoint>& track, World& world) {
-  world.min_m.head<2>() = world.max_m.head<2>() = track.front().position_m;
+// Around the track, and around what is there already if keep says so.
+void bounds_around(const std::vector<TrackPoint>& track, bool keep, World& world) {
+  Vec2 low = track.front().position_m, high = low;
   for (const auto& point : track) {
-    world.min_m.head<2>() = world.min_m.head<2>().cwiseMin(point.position_m);
-    world.max_m.head<2>() = world.max_m.head<2>().cwiseMax(point.position_m);
+    low = low.cwiseMin(point.position_m);
+    high = high.cwiseMax(point.position_m);
   }
-  world.min_m.head<2>().array() -= kTrackMargin_m;
-  world.max_m.head<2>().array() += kTrackMargin_m;
+  low.array() -= kTrackMargin_m;
+  high.array() += kTrackMargin_m;
+  world.min_m.head<2>() = keep ? world.min_m.head<2>().cwiseMin(low).eval() : low;
+  world.max_m.head<2>() = keep ? world.max_m.head<2>().cwiseMax(high).eval() : high;
+}
+
+void draw_stops(const RandomStops& random_stops, const Scenario& s, PersonParams& person) {
+  Random random(s.seed * 16 + kStopsPart);
+  const auto draw = [&](const Vec2& range) { return random.uniform(range.x(), range.y()); };
+  double now_s = person.start_s + draw(random_stops.every_s);
+  while (now_s < s.duration_s) {
+    const double for_s = draw(random_stops.for_s);
+    person.stops.push_back({now_s, for_s});
+    now_s += for_s + draw(random_stops.every_s);
+  }
+}
+
+[[noreturn]] void refuse_setting(const std::string& setting) {
+  throw std::invalid_argument(
+      fmt::format("setting '{}': expected KEY=VALUE with a key of the scenario file, as in "
+                  "target.speed_m_s=2.0",
+                  setting));
+}
+
+// Puts a value where the file would have it; mappings on the way are made.
+void apply_setting(const std::string& setting, YAML::Node document) {
+  const auto equals = setting.find('=');
+  if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
+    refuse_setting(setting);
+  YAML::Node value;
+  try {
+    value = YAML::Load(setting.substr(equals + 1));
+  } catch (const YAML::ParserException&) {
+    refuse_setting(setting);
+  }
+  std::istringstream path(setting.substr(0, equals));
+  std::vector<std::string> keys;
+  for (std::string key; std::getline(path, key, '.');) keys.push_back(key);
+  YAML::Node node = document;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    if (node.IsDefined() && !node.IsNull() && !node.IsMap()) refuse_setting(setting);
+    node.reset(node[keys[i]]);
+  }
+  if (keys.empty() || (node.IsDefined() && !node.IsNull() && !node.IsMap()))
+    refuse_setting(setting);
+  node[keys.back()] = value;
 }
 
 void check_path(YamlReader& r, const Scenario& s) {
@@ -198,6 +268,7 @@ void apply(const ScenarioOverrides& o, Scenario& s, std::optional<TrackSource>& 
     s.target.route_m.clear();
     s.target.person.stops.clear();
     if (track->file.ends_with(".xy") || track->file.ends_with(".csv")) track->format = 1;
+    if (o.track_rate_hz) track->rate_hz = *o.track_rate_hz;
   }
   if (o.pedestrian && track) track->pedestrian = *o.pedestrian;
 }
@@ -207,22 +278,27 @@ void apply(const ScenarioOverrides& o, Scenario& s, std::optional<TrackSource>& 
 Scenario load_scenario(const std::string& name_or_file, const ScenarioOverrides& overrides) {
   const fs::path file = find_scenario(name_or_file);
   Faults faults(file.string());
-  YamlReader r(load_yaml(file), "", faults);
+  YAML::Node document = load_yaml(file);
+  for (const auto& setting : overrides.settings) apply_setting(setting, document);
+  YamlReader r(document, "", faults);
   Scenario s;
   s.name = file.stem().string();
   std::optional<TrackSource> track;
-  bool generator_has_seed = false, has_bounds = false;
+  std::optional<RandomStops> random_stops;
+  std::string octree;
+  bool generator_has_seed = false, has_bounds = false, has_resolution = false;
   r.section("world", [&](YamlReader& w) {
     has_bounds = w.has("bounds_m");
-    read_world(w, s, generator_has_seed);
+    read_world(w, s, generator_has_seed, octree);
   });
-  r.section("target", [&](YamlReader& t) { read_target(t, s.target, track); });
+  r.section("target", [&](YamlReader& t) { read_target(t, s.target, track, random_stops); });
   r.section("vehicle", [&](YamlReader& v) { read_vehicle(v, s); });
   r.section("sensors", [&](YamlReader& v) { read_sensors(v, s); });
   r.section("wind", [&](YamlReader& w) { read_wind(w, s.wind); });
   int map = 0;
   r.choice("map", kMapSourceNames, map);
   s.map = static_cast<MapSource>(map);
+  has_resolution = r.has("map_resolution_m");
   r.number("map_resolution_m", s.map_resolution_m, 0.05, 1.0);
   r.number("duration_s", s.duration_s, 0.1, 1e5);
   r.seed("seed", s.seed);
@@ -231,7 +307,12 @@ Scenario load_scenario(const std::string& name_or_file, const ScenarioOverrides&
   apply(overrides, s, track);
   if (!generator_has_seed) s.generator.seed = s.seed;
   if (track) s.target.track = load_track(*track, file);
-  if (track && !has_bounds) bounds_around(s.target.track, s.world);
+  if (random_stops) draw_stops(*random_stops, s, s.target.person);
+  if (!octree.empty()) {
+    const double resolution_m = add_octree(locate(octree, file), !has_bounds, s.world);
+    if (!has_resolution) s.map_resolution_m = std::clamp(resolution_m, 0.05, 1.0);
+  }
+  if (track && !has_bounds) bounds_around(s.target.track, !octree.empty(), s.world);
   check_path(r, s);
   faults.throw_if_any();
   return s;

@@ -17,6 +17,9 @@ struct ScenarioOverrides {
   std::optional<double> duration_s;
   std::optional<std::string> track_file;  // walk as this recorded pedestrian
   std::optional<int> pedestrian;
+  std::optional<double> track_rate_hz;  // frames a second of track_file
+  /// "target.speed_m_s=2.0": keys of the file, as if it had said so.
+  std::vector<std::string> settings;
 };
 
 /// The scenario of a file, or of a shipped name (deploy/scenarios/NAME.yaml). Throws

@@ -1,15 +1,11 @@
 #include "services/flight/write_flight.hpp"
 
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "services/flight/run_program.hpp"
 #include "services/share/share.hpp"
-
-extern char** environ;
 
 namespace foretrack {
 namespace {
@@ -26,18 +22,6 @@ void write_file(const fs::path& file, const std::string& text) {
 
 Json json_of_point(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
-}
-
-// The exit status of a program, −1 if it cannot be started.
-int run(const std::vector<std::string>& arguments) {
-  std::vector<char*> argv;
-  for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  pid_t pid = 0;
-  if (posix_spawnp(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return -1;
-  int status = 0;
-  if (waitpid(pid, &status, 0) != pid || !WIFEXITED(status)) return -1;
-  return WEXITSTATUS(status);
 }
 
 }  // namespace
@@ -83,7 +67,7 @@ std::string write_flight(const FlightResult& flight, const MetricParams& params,
 
 void plot_flight(const fs::path& folder) {
   const fs::path script = find_share("deploy/plot/plot_flight.py");
-  const int status = run({"/usr/bin/python3", script.string(), folder.string()});
+  const int status = run_program({"/usr/bin/python3", script.string(), folder.string()});
   if (status == 0) return;
   if (status == 3)
     throw std::runtime_error(

@@ -1,0 +1,166 @@
+// foretrack bench: the experiments, by many flights on all cores.
+#include "services/experiments/bench.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "services/cli/commands.hpp"
+
+namespace foretrack {
+namespace {
+
+struct Options {
+  std::vector<std::string> names = {"all"};
+  std::vector<std::string> methods = {std::begin(kMethods), std::end(kMethods)};
+  std::vector<std::string> maps = {std::begin(kMapSourceNames), std::end(kMapSourceNames)};
+  std::string out, logs = "failed";
+  BenchRequest request;
+  BenchOptions bench;
+  bool report = true;
+};
+
+std::string clock_of(double seconds) {
+  const int s = static_cast<int>(std::lround(seconds));
+  return s < 100 ? fmt::format("{} s", s) : fmt::format("{} min {:02} s", s / 60, s % 60);
+}
+
+std::function<void(const BenchProgress&)> progress_line() {
+  const bool live = isatty(STDERR_FILENO);
+  return [live, shown_s = 0.0](const BenchProgress& p) mutable {
+    const double every_s = live ? 0.5 : 30.0;
+    if (p.done < p.total && p.elapsed_s < shown_s + every_s) return;
+    shown_s = p.elapsed_s;
+    fmt::print(stderr, "{}{} of {} flights, {} so far, about {} left   {}", live ? "\r" : "",
+               p.done, p.total, clock_of(p.elapsed_s), clock_of(p.left_s),
+               live && p.done < p.total ? "" : "\n");
+    std::fflush(stderr);
+  };
+}
+
+void print_cells(const BenchResults& r) {
+  fmt::print("{:<28}{:<13}{:<7}{:>5}  {:>9}  {:>13}  {:>6}  {:>6}  {:>5}  {:>5}  {:>4}\n",
+             "experiment", "method", "map", "m/s", "success", "95 % interval", "fail %", "occl %",
+             "near%", "dmin", "hits");
+  for (const CellSummary& c : r.cells)
+    fmt::print(
+        "{:<28}{:<13}{:<7}{:>5.2f}  {:>4}/{:<4}  {:>5.1f} … {:>5.1f}  {:>6.2f}  {:>6.2f}  {:>5.2f}"
+        "  {:>5.2f}  {:>4}\n",
+        c.key.experiment, c.key.method, kMapSourceNames[static_cast<std::size_t>(c.key.map)],
+        c.target_speed_m_s, c.successes, c.events, 100.0 * c.success_95.low,
+        100.0 * c.success_95.high, 100.0 * c.failure_rate, 100.0 * c.occlusion_rate,
+        100.0 * c.near_rate, c.min_distance_m, c.collisions);
+}
+
+void print_comparisons(const BenchResults& r) {
+  if (r.comparisons.empty()) return;
+  fmt::print("\nPaired with {}, same seeds (McNemar, exact; failure rate: 95 % of a bootstrap)\n",
+             kOurs);
+  for (const Comparison& c : r.comparisons)
+    fmt::print(
+        "{:<28}{:<13}{:<7} only ours succeeded {:>4}, only theirs {:>4}, p = {:<9.2g} {:<16}"
+        " failure rate {:+.2f} … {:+.2f} points\n",
+        c.key.experiment, c.key.method, kMapSourceNames[static_cast<std::size_t>(c.key.map)],
+        c.only_ours, c.only_theirs, c.p, c.significant() ? "significant" : "not significant",
+        100.0 * c.failure_difference.low, 100.0 * c.failure_difference.high);
+}
+
+void print_failures(const BenchResults& r) {
+  int shown = 0;
+  for (std::size_t i = 0; i < r.jobs.size() && shown < 5; ++i) {
+    if (!r.records[i].failed() || r.jobs[i].cell.method != kOurs) continue;
+    if (shown++ == 0) fmt::print("\nFlights of {} with a failed event, to fly again:\n", kOurs);
+    fmt::print("  {}\n", r.jobs[i].command);
+  }
+}
+
+std::string command_of(const Options& o) {
+  const BenchRequest& q = o.request;
+  std::string text =
+      fmt::format("foretrack bench {} --seed {} --methods {} --maps {}", fmt::join(o.names, " "),
+                  q.seed, fmt::join(o.methods, ","), fmt::join(o.maps, ","));
+  if (q.quick) text += " --quick";
+  if (q.runs > 0) text += fmt::format(" --runs {}", q.runs);
+  if (!q.speeds_m_s.empty()) text += fmt::format(" --speeds {}", fmt::join(q.speeds_m_s, ","));
+  for (const auto& file : q.scenario_files) text += " --scenario " + file;
+  for (const auto& file : q.track_files) text += " --tracks " + file;
+  return text;
+}
+
+void complete(Options& o) {
+  for (const auto& name : o.names) {
+    if (name == "all")
+      o.request.experiments = experiments();
+    else
+      o.request.experiments.push_back(experiment_named(name));
+  }
+  if (!o.request.scenario_files.empty())
+    std::erase_if(o.request.experiments,
+                  [](const Experiment& e) { return e.event == EventKind::kWalk; });
+  o.request.methods = o.methods;
+  o.request.maps.clear();
+  for (const auto& map : o.maps)
+    o.request.maps.push_back(map == "depth" ? MapSource::kDepth : MapSource::kKnown);
+  for (std::size_t i = 0; i < kKeptLogsNames.size(); ++i)
+    if (o.logs == kKeptLogsNames[i]) o.bench.logs = static_cast<KeptLogs>(i);
+  o.bench.out = o.out;
+  o.bench.progress = progress_line();
+}
+
+int bench_with(Options o) {
+  complete(o);
+  const BenchResults results = run_bench(o.request, o.bench);
+  print_cells(results);
+  print_comparisons(results);
+  print_failures(results);
+  if (o.out.empty()) return 0;
+  if (o.report) write_report(o.out, command_of(o));
+  fmt::print("\nwritten to {}\n",
+             (o.bench.out / (o.report ? "report.html" : "summary.json")).string());
+  return 0;
+}
+
+}  // namespace
+
+std::function<int()> prepare_bench(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  BenchRequest& q = o->request;
+  app.add_option("NAME", o->names,
+                 "turning, deceleration, t_intersection, real_tracks, stress, or all")
+      ->capture_default_str();
+  app.add_option("--runs", q.runs, "seeds a world (real_tracks: pedestrians) instead of the usual")
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--seed", q.seed, "the first seed")->capture_default_str();
+  app.add_option("--methods", o->methods,
+                 "names of deploy/params, or parameter files, parted by commas")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_option("--maps", o->maps, "known, depth")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"known", "depth"}))
+      ->capture_default_str();
+  app.add_option("--speeds", q.speeds_m_s, "of the target, m/s, instead of the usual")
+      ->delimiter(',')
+      ->check(CLI::Range(0.1, 5.0));
+  app.add_option("--scenario", q.scenario_files, "own worlds and routes instead of the usual")
+      ->check(CLI::ExistingFile);
+  app.add_option("--tracks", q.track_files, "track files of real_tracks")->check(CLI::ExistingFile);
+  app.add_option("--track-rate", q.track_rate_hz, "their frames a second")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  app.add_option("--out", o->out, "folder for summary.json, report.html, plots and logs");
+  app.add_option("--logs", o->logs, "which logs are kept: none, failed, all")
+      ->check(CLI::IsMember({"none", "failed", "all"}))
+      ->capture_default_str();
+  app.add_option("--threads", o->bench.threads, "flights at the same time; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_flag("--quick", q.quick, "a few minutes instead of hours: fewer and shorter flights");
+  app.add_flag("!--no-report", o->report, "leave report.html and the plots out");
+  return [o] { return bench_with(*o); };
+}
+
+}  // namespace foretrack
