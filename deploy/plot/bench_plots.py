@@ -31,6 +31,9 @@ def success(cells, title):
         high = [max(0.0, 100 * c["success_high"] - v) for v, c in zip(y, mine)]
         axes.errorbar(x, y, [low, high], fmt="o-", capsize=3, color=colour(method), label=method)
     axes.set(xlabel="target speed [m/s]", ylabel="success [%]", title=title)
+    speeds = sorted({cell["target_speed_m_s"] for cell in cells})
+    axes.set_xticks(speeds, [f"{speed:.1f}" for speed in speeds])
+    axes.set_xlim(speeds[0] - 0.25, speeds[-1] + 0.25)
     axes.set_ylim(top=101)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
@@ -91,11 +94,9 @@ def heat(cells, title):
         n, size = p["cells_per_side"], p["cell_m"]
         counts = np.array(p["cells"], dtype=float).reshape(n, n)
         x0, y0 = p["min_m"]
-        extent = (y0 + n * size, y0, x0, x0 + n * size)
         # Forward is up, left is left.
-        axes.imshow(np.log1p(counts.T[:, ::-1][:, ::-1]), origin="lower", cmap="magma_r",
+        axes.imshow(np.ma.masked_equal(np.log1p(counts.T), 0.0), origin="lower", cmap="viridis_r",
                     extent=(y0, y0 + n * size, x0, x0 + n * size), aspect="equal")
-        axes.invert_xaxis()
         xx, xy, yy = p["covariance_m2"]
         values, vectors = np.linalg.eigh(np.array([[yy, xy], [xy, xx]]))
         angle = math.degrees(math.atan2(vectors[1, 1], vectors[0, 1]))

@@ -13,9 +13,9 @@ inline constexpr std::array<std::string_view, 3> kKeptLogsNames = {"none", "fail
 
 struct BenchOptions {
   int threads = 0;            // 0: one a core
-  std::filesystem::path out;  // empty: nothing is written
+  std::filesystem::path out = {};  // empty: nothing is written
   KeptLogs logs = KeptLogs::kFailed;
-  std::function<void(const BenchProgress&)> progress;
+  std::function<void(const BenchProgress&)> progress = {};
 };
 
 /// Flies all of it and sums it up; with a folder, writes summary.json, details.json, flights.csv

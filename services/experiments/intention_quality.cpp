@@ -30,7 +30,9 @@ void fill_bins(const std::vector<const IntentionWindow*>& windows, IntentionQual
     const auto best = std::max_element(w->p.begin(), w->p.end()) - w->p.begin();
     pairs.emplace_back(w->p[best], best == w->label);
   }
-  std::sort(pairs.begin(), pairs.end());
+  // Moments of equal probability stay in their order: sorted by outcome they would fill whole bins.
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   const std::size_t n = pairs.size();
   for (int b = 0; b < kBins; ++b) {
     IntentionQuality::Bin bin;

@@ -174,5 +174,29 @@ TEST(PredictionParams, AreValidByDefault) {
   EXPECT_NO_THROW(validate_or_throw("prediction", rows(params)));
 }
 
+TEST(Predict, WithoutIntentionsGoesStraightUnlessBlocked) {
+  PredictionParams params;
+  params.intention_paths = false;
+  PredictionState state;
+  const auto& open = predict(state, walker({0.0, 0.0}, {1.5, 0.0}), open_field(), params);
+  ASSERT_EQ(open.prediction.paths.size(), 1u);
+  EXPECT_EQ(open.prediction.paths[0].probability, 1.0);
+  EXPECT_NEAR(open.prediction.paths[0].states.back().position_enu_m.x(), 4.5, 1e-6);
+  const auto& corner = predict(state, walker({-1.0, 0.0}, {1.5, 0.0}, 3.0), left_corner(), params);
+  ASSERT_EQ(corner.prediction.paths.size(), 1u);
+  expect_sound(corner, params);
+  EXPECT_LT(corner.prediction.paths[0].states.back().position_enu_m.x(), 2.0);
+}
+
+TEST(Predict, ConstantVelocityMindsNoWall) {
+  PredictionParams params;
+  params.around_obstacles = false;
+  PredictionState state;
+  const auto& result = predict(state, walker({-1.0, 0.0}, {1.5, 0.0}), left_corner(), params);
+  ASSERT_EQ(result.prediction.paths.size(), 1u);
+  expect_sound(result, params);
+  EXPECT_NEAR(result.prediction.paths[0].states.back().position_enu_m.x(), 3.5, 1e-6);
+}
+
 }  // namespace
 }  // namespace foretrack

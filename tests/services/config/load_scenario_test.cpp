@@ -201,5 +201,56 @@ TEST(ShippedScenarios, AnUnknownNameListsThoseThatExist) {
   }
 }
 
+TEST_F(LoadScenario, SettingsCountAsIfTheFileHadSaidSo) {
+  ScenarioOverrides overrides;
+  overrides.settings = {"target.speed_m_s=1.75", "sensors.delay_s=0.2", "wind.mean_m_s=[1, 0, 0]",
+                        "sensors.fov_gated=false"};
+  const Scenario s = load("target: {speed_m_s: 1.0, height_m: 1.9}\n", overrides);
+  EXPECT_EQ(s.target.speed_m_s, 1.75);
+  EXPECT_EQ(s.target.person.height_m, 1.9);
+  EXPECT_EQ(s.landmark_camera.delay_s, 0.2);
+  EXPECT_EQ(s.wind.mean_enu_m_s.x(), 1.0);
+  EXPECT_FALSE(s.landmark_camera.fov_gated);
+}
+
+TEST_F(LoadScenario, ASettingThatCannotBeIsAnErrorThatNamesIt) {
+  const auto error = [&](const std::string& setting) {
+    ScenarioOverrides overrides;
+    overrides.settings = {setting};
+    try {
+      load("target: {speed_m_s: 1.0}\n", overrides);
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(error("target.speed_m_s"), HasSubstr("expected KEY=VALUE"));
+  EXPECT_THAT(error("=3"), HasSubstr("expected KEY=VALUE"));
+  EXPECT_THAT(error("target.sped=3"), HasSubstr("target.sped: unknown key"));
+  EXPECT_THAT(error("target.speed_m_s.x=3"), HasSubstr("setting 'target.speed_m_s.x=3'"));
+  EXPECT_THAT(error("target.speed_m_s=[1"), HasSubstr("setting"));
+  EXPECT_THAT(error("target.speed_m_s=99"), HasSubstr("target.speed_m_s"));
+}
+
+TEST_F(LoadScenario, RandomStopsComeFromTheSeedWithinTheirRanges) {
+  const std::string text =
+      "target: {random_stops: {every_s: [4, 6], for_s: [1, 2]}}\nduration_s: 60\n";
+  ScenarioOverrides one, two;
+  one.seed = 1;
+  two.seed = 2;
+  const auto stops = load(text, one).target.person.stops;
+  ASSERT_GE(stops.size(), 6u);
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    const double walk_s = stops[i].at_s - stops[i - 1].at_s - stops[i - 1].for_s;
+    EXPECT_GE(walk_s, 4.0);
+    EXPECT_LE(walk_s, 6.0);
+    EXPECT_GE(stops[i].for_s, 1.0);
+    EXPECT_LE(stops[i].for_s, 2.0);
+  }
+  EXPECT_EQ(load(text, one).target.person.stops[0].at_s, stops[0].at_s);
+  EXPECT_NE(load(text, two).target.person.stops[0].at_s, stops[0].at_s);
+  EXPECT_THAT(error_of("target: {random_stops: {every_s: [6, 4]}}\n"), HasSubstr("every_s"));
+}
+
 }  // namespace
 }  // namespace foretrack
