@@ -53,8 +53,8 @@ std::vector<Detection> decode_all(std::span<const float> numbers, std::span<cons
   std::size_t k = 0;
   for (const Grid& grid : kGrids)
     for (int cell = 0; cell < grid.cells * grid.cells; ++cell) {
-      const Vec2 anchor((cell % grid.cells + 0.5) / grid.cells,
-                        (cell / grid.cells + 0.5) / grid.cells);
+      const int row = cell / grid.cells, column = cell % grid.cells;
+      const Vec2 anchor((column + 0.5) / grid.cells, (row + 0.5) / grid.cells);
       for (int n = 0; n < grid.per_cell; ++n, ++k) {
         const double logit = std::clamp<double>(logits[k], -kMostLogit, kMostLogit);
         const double score = 1.0 / (1.0 + std::exp(-logit));

@@ -35,7 +35,8 @@ Vec3 free_start(const World& world, const PersonState& person, double ground_z) 
   const double behind = person.body_yaw_rad + kPi;
   for (const double distance_m : {kStartDistance_m, 1.5, 2.5, 3.0})
     for (int k = 0; k < 24; ++k) {
-      const double angle = behind + (k % 2 ? 1 : -1) * ((k + 1) / 2) * kPi / 12.0;
+      const int steps = (k + 1) / 2;  // to either side in turn
+      const double angle = behind + (k % 2 ? 1 : -1) * steps * kPi / 12.0;
       const Vec2 p = person.position_enu_m.head<2>() + distance_m * direction_of(angle);
       const Vec3 place(p.x(), p.y(), ground_z + kStartHeight_m);
       if (fits(world, place) && line_of_sight(world, place, person.position_enu_m)) return place;
