@@ -7,17 +7,17 @@ namespace foretrack {
 namespace {
 
 enum TensorType : int { kFloat32 = 0, kFloat16 = 1, kInt32 = 2 };
-constexpr std::size_t kMostElements = 1 << 24;
+constexpr std::size_t kMostTensorElements = 1 << 24;
 constexpr std::size_t kMostDimensions = 6;
 
 std::vector<int> read_shape(const FlatTable& tensor, const std::string& name) {
   auto shape = tensor.values<std::int32_t>(0);
   std::size_t size = 1;
   for (const int length : shape) {
-    if (length < 1 || static_cast<std::size_t>(length) > kMostElements)
+    if (length < 1 || static_cast<std::size_t>(length) > kMostTensorElements)
       throw NetworkFileError("tensor " + name + ": a side of " + std::to_string(length));
     size *= static_cast<std::size_t>(length);
-    if (size > kMostElements) throw NetworkFileError("tensor " + name + ": too big");
+    if (size > kMostTensorElements) throw NetworkFileError("tensor " + name + ": too big");
   }
   if (shape.size() > kMostDimensions) throw NetworkFileError("tensor " + name + ": too many axes");
   return {shape.begin(), shape.end()};

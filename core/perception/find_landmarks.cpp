@@ -9,9 +9,9 @@
 namespace foretrack {
 namespace {
 
-constexpr int kSide = 256;
-constexpr int kMarks = 39;   // with six auxiliary ones
-constexpr int kNumbers = 5;  // of a mark: x, y, z, visibility, presence
+constexpr int kInputSide_px = 256;
+constexpr int kMarks = 39;       // with six auxiliary ones
+constexpr int kMarkNumbers = 5;  // of a mark: x, y, z, visibility, presence
 constexpr int kHeatSide = 64;
 constexpr int kReach = 3;  // of the refinement, in cells
 constexpr double kLeastHeat = 0.5;
@@ -55,16 +55,16 @@ Vec2 PersonPose::torso_px() const {
 std::optional<PersonPose> find_landmarks(const RgbImage& image, const ImageRegion& region,
                                          Inference& network, double min_score) {
   if (!(region.size_px >= kLeastRegion_px) || !region.centre_px.allFinite()) return std::nullopt;
-  sample_region(image, region, Border::kRepeated, kSide, 1.0f, 0.0f, network.input());
+  sample_region(image, region, Border::kRepeated, kInputSide_px, 1.0f, 0.0f, network.input());
   network.run();
   const auto marks = network.output(0), flag = network.output(1), heat = network.output(2),
              world = network.output(3);
   if (!(flag[0] >= min_score) || !all_finite(marks) || !all_finite(world)) return std::nullopt;
 
   const auto place = [&](int k) -> Vec2 {
-    const float* m = &marks[static_cast<std::size_t>(k * kNumbers)];
+    const float* m = &marks[static_cast<std::size_t>(k * kMarkNumbers)];
     if (!(std::abs(m[0]) < 1e6f && std::abs(m[1]) < 1e6f)) return region.centre_px;
-    return region.image_px(refined(Vec2(m[0], m[1]) / kSide, k, heat));
+    return region.image_px(refined(Vec2(m[0], m[1]) / kInputSide_px, k, heat));
   };
   PersonPose person;
   person.score = flag[0];
@@ -75,7 +75,7 @@ std::optional<PersonPose> find_landmarks(const RgbImage& image, const ImageRegio
     const float* w = &world[static_cast<std::size_t>(3 * k)];
     landmark.image_px = place(k);
     landmark.body_m << turn * Vec2(w[0], w[1]), w[2];
-    landmark.visibility = sigmoid(marks[static_cast<std::size_t>(k * kNumbers + 3)]);
+    landmark.visibility = sigmoid(marks[static_cast<std::size_t>(k * kMarkNumbers + 3)]);
   }
   person.tracked = region_of_body(place(kMiddle), place(kEnd));
   return person;
