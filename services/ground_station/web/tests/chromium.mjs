@@ -5,24 +5,28 @@ import { chromium } from "playwright-core";
 export const chromiumPath = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
 export const hasChromium = existsSync(chromiumPath);
 
+const graphics = (scene) => scene ? ["--enable-unsafe-swiftshader"]
+  : ["--disable-gpu", "--disable-software-rasterizer"];
+
 /** Without the graphics library the scene says so and all else is quick. */
 export async function launch({ scene = false } = {}) {
   return chromium.launch({ executablePath: chromiumPath,
-    args: ["--no-sandbox", "--disable-dev-shm-usage",
-      ...(scene ? ["--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-software-rasterizer"])] });
+    args: ["--no-sandbox", "--disable-dev-shm-usage", ...graphics(scene)] });
 }
 
 /** A page of its own browser context; its errors are kept in page.problems. */
 export async function open(browser, url, { width = 1440, height = 900, name } = {}) {
   const context = await browser.newContext({ viewport: { width, height } });
-  if (name) await context.addInitScript((who) => localStorage.setItem("foretrack.operator", who), name);
+  if (name)
+    await context.addInitScript((who) => localStorage.setItem("foretrack.operator", who), name);
   const page = await context.newPage();
   page.setDefaultTimeout(20000);
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(String(error)));
   page.on("console", (message) => {
     const text = message.text();
-    if (message.type() === "error" && !/WebGL|ERR_CONNECTION_REFUSED/.test(text)) page.problems.push(text);
+    const expected = /WebGL|ERR_CONNECTION_REFUSED/.test(text);
+    if (message.type() === "error" && !expected) page.problems.push(text);
   });
   await page.goto(url);
   return page;

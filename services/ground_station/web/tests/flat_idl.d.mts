@@ -1,1 +1,2 @@
 export function flatIdl(type: string): string;
+export const projectFolder: string;

@@ -3,15 +3,15 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-// The project's folder idl/, also from where tests are bundled to.
-let root = dirname(fileURLToPath(import.meta.url));
-while (!existsSync(join(root, "idl/foretrack_msgs"))) root = dirname(root);
-root = join(root, "idl/");
+// Also from where tests are bundled to.
+let folder = dirname(fileURLToPath(import.meta.url));
+while (!existsSync(join(folder, "idl/foretrack_msgs"))) folder = dirname(folder);
+export const projectFolder = folder;
 
 function flatten(path, seen) {
   if (seen.has(path)) return "";
   seen.add(path);
-  return readFileSync(root + path, "utf8").split("\n").map((line) => {
+  return readFileSync(join(projectFolder, "idl", path), "utf8").split("\n").map((line) => {
     const included = /^#include "(.*)"/.exec(line);
     if (included) return flatten(included[1], seen);
     return line.startsWith("#") ? "" : line;

@@ -1,4 +1,5 @@
-// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser|flight: bundles tests/<kind>/*.test.ts and runs them by node's runner.
+// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser|flight: bundles
+// tests/<kind>/*.test.ts and runs them by node's runner.
 // Exits with 77, which ctest takes for skipped, where npm's packages were not installed.
 import { spawnSync } from "node:child_process";
 import { existsSync, readdirSync, rmSync } from "node:fs";
@@ -34,8 +35,8 @@ await build({ absWorkingDir: web, entryPoints: names.map((name) => join("tests",
   outdir: out, outExtension: { ".js": ".mjs" }, bundle: true, platform: "node", format: "esm",
   external: ["playwright-core", "ws"], mainFields: ["module", "main"], target: "node18",
   banner: { js: 'import { createRequire } from "node:module";' +
-    "const require = createRequire(import.meta.url);" }, jsx: "automatic", jsxImportSource: "preact",
-  logLevel: "warning" });
+    "const require = createRequire(import.meta.url);" },
+  jsx: "automatic", jsxImportSource: "preact",  logLevel: "warning" });
 const files = names.map((name) => join(out, name.replace(/\.ts$/, ".mjs")));
 const { status } = spawnSync(process.execPath, ["--test", ...files],
   { stdio: "inherit", cwd: web });

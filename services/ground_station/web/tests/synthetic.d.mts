@@ -1,7 +1,9 @@
 export function encode(type: string, message: unknown): Uint8Array;
 export function schemaNameOf(type: string): string;
 export function typeOf(name: string): string;
-export function samplesAt(t: number, step: number, index: number, orders?: object): [string, unknown][];
+export function samplesAt(t: number, step: number, index: number, orders?: object):
+  [string, unknown][];
 export function safety(t: number, more?: object): object;
 export function probabilities(t: number): Record<string, number>;
-export function vehicleAt(t: number, index?: number): { x: number; y: number; z: number; behind: number };
+export function vehicleAt(t: number, index?: number):
+  { x: number; y: number; z: number; behind: number };

@@ -85,7 +85,8 @@ function intention(t, index) {
   const region = { center_m: [p.x, p.y, p.z], radius_m: 2.2, heading_rad: p.yaw,
     left_bisector_yaw_rad: p.yaw + 0.5, left_half_angle_rad: 0.5,
     right_bisector_yaw_rad: p.yaw - 0.5, right_half_angle_rad: 0.4 };
-  return { header: headerOf(t), region_now: region, obstacle_distance_m: 3, body_turn_angle_rad: 0.1,
+  return { header: headerOf(t), obstacle_distance_m: 3, body_turn_angle_rad: 0.1,
+    region_now: region,
     region_ahead: { ...region, center_m: [p.x + Math.cos(p.yaw), p.y + Math.sin(p.yaw), p.z] },
     intentions: Object.entries(probabilities(t)).map(([name, probability], id) =>
       ({ id, name, potential: 0, observation: 0, score: 0, probability })) };
@@ -133,8 +134,8 @@ function plan(t, index, id) {
 }
 
 export function safety(t, more = {}) {
-  return { header: headerOf(t), caused_by: stampOf(t - 0.08), mode: 0, reason: 0, text: "", phase: 1,
-    request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01, deviation_m: 0.05,
+  return { header: headerOf(t), caused_by: stampOf(t - 0.08), mode: 0, reason: 0, text: "",
+    phase: 1, request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01, deviation_m: 0.05,
     offboard: true, armed: true, heartbeat: true, setpoint_valid: true, position_m: [0, 0, 0],
     velocity_mps: [0, 0, 0], acceleration_mps2: [0, 0, 0], yaw_rad: 0, yaw_rate_radps: 0,
     command_id: 0n, command_result: 0, operator_id: "", ...more };
@@ -165,7 +166,8 @@ const battery = (t) => ({ timestamp: 0n, connected: true, voltage_v: 15.4, curre
   current_average_a: 1, discharged_mah: 1, remaining: 0.72 - (t % 100) * 0.001, scale: 1,
   time_remaining_s: 300, temperature: 20, cell_count: 4, source: 0, priority: 0, capacity: 1,
   cycle_count: 1, average_time_to_empty: 1, serial_number: 1, manufacture_date: 1,
-  state_of_health: 1, max_error: 1, id: 0, interface_error: 0, voltage_cell_v: new Array(14).fill(0),
+  state_of_health: 1, max_error: 1, id: 0, interface_error: 0,
+  voltage_cell_v: new Array(14).fill(0),
   max_cell_voltage_delta: 0, is_powering_off: false, is_required: false, warning: 0, faults: 0,
   full_charge_capacity_wh: 1, remaining_capacity_wh: 1, over_discharge_count: 0,
   nominal_voltage: 1, internal_resistance_estimate: 1, ocv_estimate: 1, ocv_estimate_filtered: 1,
@@ -180,7 +182,8 @@ export function samplesAt(t, step, index, orders = {}) {
   if (step % 2 === 0) samples.push(["odometry", odometry(t, index)]);
   if (step % 4 === 0)
     samples.push(["target/state", target(t, index)], ["target/intention", intention(t, index)],
-      ["target/prediction", prediction(t, index)], ["plan/trajectory", plan(t, index, BigInt(step + 1))]);
+      ["target/prediction", prediction(t, index)],
+      ["plan/trajectory", plan(t, index, BigInt(step + 1))]);
   if (step % 5 === 0) samples.push(["safety/state", safety(t, orders)]);
   if (step % 100 === 0)
     for (const service of services) samples.push(["health", health(t, service)]);

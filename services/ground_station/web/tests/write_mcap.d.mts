@@ -1,2 +1,2 @@
-export function syntheticRecording(options: { begin_s: number; seconds: number; vehicles?: string[] }):
-  Promise<Uint8Array>;
+export function syntheticRecording(
+  options: { begin_s: number; seconds: number; vehicles?: string[] }): Promise<Uint8Array>;

@@ -42,8 +42,8 @@ export function setSpeed(clock: ReplayClock, speed: number, wall_s: number): Rep
 }
 
 /**
- * What an operator types: seconds from the start ("12.5", "+12.5"), minutes ("1:05.2"), or, with two
- * colons, a time of day in UTC ("14:03:22.5") on the recording's day. null: not a time.
+ * What an operator types: seconds from the start ("12.5", "+12.5"), minutes ("1:05.2"), or, with
+ * two colons, a time of day in UTC ("14:03:22.5") on the recording's day. null: not a time.
  */
 export function parseTime(text: string, clock: ReplayClock): number | null {
   const parts = text.trim().replace(/^\+/, "").split(":");

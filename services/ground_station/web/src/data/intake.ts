@@ -32,7 +32,8 @@ export class Intake {
     const wanted = raw.data !== null && this.isWanted(raw, isNewest);
     if (wanted) this.decoded_s.set(topic, raw.time_s);
     const message = wanted ? this.decoders.decode(raw.channel, raw.data!) : undefined;
-    return { topic, vehicle, name, type: schemaName, time_s: raw.time_s, bytes: raw.bytes, message };
+    const { time_s, bytes } = raw;
+    return { topic, vehicle, name, type: schemaName, time_s, bytes, message };
   }
 
   // A batch may be one frame of a live view or thirty seconds of a recording.

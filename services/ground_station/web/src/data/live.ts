@@ -20,7 +20,7 @@ export class LiveLink {
   private socket: WebSocket | null = null;
   private readonly queue = new SampleQueue();
   private readonly subscribed = new Map<number, { channel: Channel; channelId: number }>();
-  private quietTicks = 0; // seconds without a word, counted, so that a page that stood still is not deaf
+  private quietTicks = 0; // seconds without a word; counted, as a page that stood still is not deaf
   private closed = false;
   private readonly timer: ReturnType<typeof setInterval>;
   /** Station's clock minus ours, by the quickest sample of late. */

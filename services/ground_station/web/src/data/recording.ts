@@ -66,7 +66,8 @@ export class Recording {
       const found = this.reader.readMessages({ topics: [channel.topic], endTime: toNs(time_s),
         reverse: true });
       for await (const m of found) {
-        samples.push({ channel, time_s: fromNs(m.logTime), bytes: m.data.byteLength, data: m.data });
+        const { data, logTime } = m;
+        samples.push({ channel, time_s: fromNs(logTime), bytes: data.byteLength, data });
         break;
       }
     }
@@ -90,7 +91,8 @@ export function readableAt(url: string, headers: Record<string, string> = {}): I
   const kept = new Map<number, Promise<Uint8Array>>();
   let size: number | null = null;
   const fetchRange = async (begin: number, end: number): Promise<Uint8Array> => {
-    const answer = await fetch(url, { headers: { ...headers, Range: `bytes=${begin}-${end - 1}` } });
+    const Range = `bytes=${begin}-${end - 1}`;
+    const answer = await fetch(url, { headers: { ...headers, Range } });
     if (answer.status !== 206) throw new Error(`${url}: HTTP ${answer.status}, 206 expected`);
     size ??= Number(/\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "")?.[1]);
     return new Uint8Array(await answer.arrayBuffer());

@@ -59,7 +59,7 @@ export class Replay {
 
   /** What became due since the last call; starts reading what will be due next. */
   take(): ReplayBatch {
-    if (clocks.hasEnded(this.clock, wall_s())) this.clock = clocks.play(this.clock, false, wall_s());
+    if (clocks.hasEnded(this.clock, wall_s())) this.play(false);
     void this.readAhead();
     const now_s = this.time_s();
     if (this.restart && this.readTo_s === -Infinity) return { restart: false, now_s, samples: [] };
@@ -73,7 +73,7 @@ export class Replay {
   private async readAhead(): Promise<void> {
     const now_s = this.time_s();
     const want_s = Math.min(now_s + ahead_s * Math.max(1, this.clock.speed), this.recording.end_s);
-    if (this.reading || (this.readTo_s >= want_s - 1 && this.readTo_s >= this.nearEnd(want_s))) return;
+    if (this.reading || this.readTo_s >= this.nearEnd(want_s)) return;
     this.reading = true;
     const { generation } = this;
     const cancelled = (): boolean => generation !== this.generation;

@@ -8,7 +8,8 @@ const service = ["starting", "running", "degraded", "stopping"];
 const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped"];
 const result = ["none", "accepted", "refused: too late", "refused: repeated",
   "refused: not from this phase", "refused: somebody else has control"];
-const command = ["start", "hold", "resume", "return", "land", "stop", "take control", "give control back"];
+const command = ["start", "hold", "resume", "return", "land", "stop", "take control",
+  "give control back"];
 const level = ["ok", "warning", "error", "stale"];
 const battery = ["ok", "low", "critical", "emergency", "failed"];
 

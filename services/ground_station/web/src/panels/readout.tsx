@@ -19,6 +19,7 @@ export function Readout({ session }: { session: Session }) {
   const plan = latest["plan/trajectory"];
   const safety = latest["safety/state"];
   const error = yawError_rad(odometry, target?.message);
+  const error_deg = error === null ? null : (error * 180) / Math.PI;
   const gap_m = distance_m(odometry, target?.message);
   const inBand = gap_m !== null && gap_m >= session.band_m[0] && gap_m <= session.band_m[1];
   const sum_ms = plan?.message.stage_times.filter((s) => s.stage !== "total")
@@ -29,7 +30,7 @@ export function Readout({ session }: { session: Session }) {
       <dd><Aged age_s={age_s(state, target)} limit_s={stale_s}>
         <span data-field="person">{trackWord(target?.message.status ?? Track.none)}</span>{" "}
         <span data-field="distance" class={inBand ? "" : "off"}>{number(gap_m, 2, "m")}</span>{" "}
-        <span data-field="bearing">{number(error === null ? null : (error * 180) / Math.PI, 0)}° off</span>
+        <span data-field="bearing">{number(error_deg, 0)}° off</span>
       </Aged></dd>
       <dt>intention</dt>
       <dd><Aged age_s={age_s(state, intention)} limit_s={stale_s}>

@@ -52,8 +52,10 @@ export function RecordingsPanel({ session }: { session: Session }) {
           </tr>
         ))}
       </tbody></table>
-      {list.length === 0
-        ? <p class="empty">{problem ? `The station lists none: ${problem}` : "No recordings yet. An MCAP file can also be dropped on the page."}</p> : null}
+      {list.length === 0 ? (
+        <p class="empty">{problem ? `The station lists none: ${problem}`
+          : "No recordings yet. An MCAP file can also be dropped on the page."}</p>
+      ) : null}
     </div>
   );
 }

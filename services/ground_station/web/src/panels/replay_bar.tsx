@@ -24,15 +24,16 @@ function GoTo({ replay }: { replay: Replay }) {
       replay.seek(time_s);
       event.currentTarget.querySelector("input")?.blur(); // the keys are the replay's again
     }}>
-      <input name="time" class={bad ? "bad" : ""} size={9} placeholder="go to 1:05" aria-label="go to"
-        title="seconds or m:ss from the start, or hh:mm:ss UTC" />
+      <input name="time" class={bad ? "bad" : ""} size={9} placeholder="go to 1:05"
+        aria-label="go to" title="seconds or m:ss from the start, or hh:mm:ss UTC" />
     </form>
   );
 }
 
 function Scrub({ replay, marks }: { replay: Replay; marks: Bookmark[] }) {
   const { begin_s, end_s } = replay.clock;
-  const share = (time_s: number): string => `${(100 * (time_s - begin_s)) / (end_s - begin_s || 1)}%`;
+  const share = (time_s: number): string =>
+    `${(100 * (time_s - begin_s)) / (end_s - begin_s || 1)}%`;
   return (
     <div class="scrub">
       <input type="range" aria-label="time" min={0} max={end_s - begin_s} step={0.01}
@@ -78,8 +79,8 @@ export function ReplayBar({ session, mark }: Props) {
       {marks.map((m) => (
         <span key={m.time_s} class="bookmark">
           <button onClick={() => replay.seek(m.time_s)}>{m.name}</button>
-          <button aria-label={`remove ${m.name}`} onClick={() => keep(marks.filter((x) => x !== m))}>
-            ×</button>
+          <button aria-label={`remove ${m.name}`}
+            onClick={() => keep(marks.filter((x) => x !== m))}>×</button>
         </span>
       ))}
       {replay.isLoading() ? <em>reading …</em> : null}

@@ -13,7 +13,10 @@ function Link({ session }: { session: Session }) {
   const clients = station?.message.server.clients;
   const quiet_s = station ? now_s - station.time_s : 0;
   if (quiet_s > 3)
-    return <span data-field="station"><Badge mood="warning">station quiet for {quiet_s.toFixed(0)} s</Badge></span>;
+    return (
+      <span data-field="station">
+        <Badge mood="warning">station quiet for {quiet_s.toFixed(0)} s</Badge></span>
+    );
   return (
     <span data-field="station"><Badge mood="good">{session.replay ? "station" : "live"}</Badge>
       <small> {clients === undefined ? "" : `${clients} watching`}</small></span>

@@ -39,8 +39,9 @@ export function topicRows(state: State, withStation: boolean): Row[] {
     if (t.qos_mismatch) problems.push("QoS mismatch");
     if (t.foreign_type) problems.push(`foreign type ${t.foreign_type}`);
     if (t.limited) problems.push("limited");
-    rows.set(strip(t.topic), { topic: t.topic, type: t.type, rate_hz: t.rate_hz, age_s: t.age_s ?? -1,
-      size: t.rate_hz > 0 ? t.bytes_s / t.rate_hz : here?.size ?? null, bytes_s: t.bytes_s,
+    rows.set(strip(t.topic), { topic: t.topic, type: t.type, rate_hz: t.rate_hz,
+      age_s: t.age_s ?? -1, bytes_s: t.bytes_s,
+      size: t.rate_hz > 0 ? t.bytes_s / t.rate_hz : here?.size ?? null,
       writers: t.writers, readers: t.readers, resting: t.resting ?? false, problems });
   }
   return [...rows.values()].sort((a, b) =>
@@ -76,7 +77,8 @@ export function TopicsPanel({ session }: { session: Session }) {
         <input placeholder="filter" aria-label="filter" value={filter}
           onInput={(event) => setFilter(event.currentTarget.value)} />
         <label><input type="checkbox" checked={mine}
-          onChange={(event) => setMine(event.currentTarget.checked)} /> only {chosen ?? "chosen"}</label>
+          onChange={(event) => setMine(event.currentTarget.checked)} />
+          {" "}only {chosen ?? "chosen"}</label>
       </div>
       <table aria-label="topics">
         <thead><tr><th>topic</th><th>type</th><th>rate</th><th>age</th><th>size</th><th>flow</th>

@@ -106,7 +106,8 @@ export function VehicleStrip({ session }: { session: Session }) {
       {vehicles.map((v) => <Card key={v.name} session={session} vehicle={v} />)}
       {vehicles.length === 0 ? (
         <p class="empty">{session.liveState.link.open
-          ? "No vehicle is heard. Start one with: foretrack up" : "Not connected to the station."}</p>
+          ? "No vehicle is heard. Start one with: foretrack up"
+          : "Not connected to the station."}</p>
       ) : null}
     </section>
   );

@@ -77,7 +77,8 @@ export class Chart {
         points: { size: 5 } },
       scales: {
         x: { time: false },
-        y: { dir: options.rows ? -1 : 1, range: (_u, low, high) => options.range(low ?? 0, high ?? 1) },
+        y: { dir: options.rows ? -1 : 1,
+          range: (_u, low, high) => options.range(low ?? 0, high ?? 1) },
       },
       axes: [this.timeAxis(), this.valueAxis()],
       series: [{}, ...frame.lines.map((line) => ({

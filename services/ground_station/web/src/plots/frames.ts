@@ -25,15 +25,18 @@ export function stacked(columns: Columns): Columns {
   columns.forEach((column, i) => {
     const below = sums[i - 1];
     sums.push(column.map((value, row) =>
-      value === null && (below?.[row] ?? null) === null ? null : (below?.[row] ?? 0) + (value ?? 0)));
+      value === null && (below?.[row] ?? null) === null
+        ? null : (below?.[row] ?? 0) + (value ?? 0)));
   });
   return sums;
 }
 
 // The highest sum is drawn first and each filled down to zero, so that the lower ones cover it.
-function stackOf(series: Series, from_s: number, color: (name: string, i: number) => string): Frame {
+function stackOf(series: Series, from_s: number,
+                 color: (name: string, i: number) => string): Frame {
   const { times, columns } = rowsFrom(series, from_s);
-  const lines = series.names.map((name, i): Line => ({ name: spoken(name), color: color(name, i), fill: true }));
+  const lines = series.names.map((name, i): Line =>
+    ({ name: spoken(name), color: color(name, i), fill: true }));
   return { times, columns: stacked(columns).reverse(), values: [...columns].reverse(),
     lines: lines.reverse() };
 }

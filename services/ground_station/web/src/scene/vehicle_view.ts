@@ -90,7 +90,8 @@ export class VehicleView {
       const color = intentionColor(path.name, path.intention);
       const points = path.states.map(({ position_m: at }): Point =>
         [at[0]!, at[1]!, 0.06 + 0.02 * i]);
-      ribbon.set(points, 0.05 + 0.22 * p, () => color, (share) => (0.15 + 0.85 * p) * (1 - 0.4 * share));
+      ribbon.set(points, 0.05 + 0.22 * p, () => color,
+        (share) => (0.15 + 0.85 * p) * (1 - 0.4 * share));
     });
   }
 
@@ -102,7 +103,8 @@ export class VehicleView {
       (share) => (share > tail ? 0.45 : 0.95));
   }
 
-  private drawDetails(state: State, vehicle: Vehicle, fresh: (h?: { time_s: number }) => boolean): void {
+  private drawDetails(state: State, vehicle: Vehicle,
+                      fresh: (heard?: { time_s: number }) => boolean): void {
     const { "target/intention": intention, "plan/trajectory": plan, "target/state": target } =
       vehicle.latest;
     this.sectors.mesh.visible = fresh(intention) && target?.message.status !== Track.lost;

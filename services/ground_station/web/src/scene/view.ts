@@ -149,8 +149,9 @@ export class SceneView {
     this.controls.target.copy(focus);
     const back = behind.lengthSq() > 0.01 ? behind.normalize() : new Vector3(-1, 0, 0);
     const offset = this.kind === "top" ? new Vector3(0, -0.01, 13)
-      : back.multiplyScalar(4.5).applyAxisAngle(new Vector3(0, 0, 1), 0.6).add(new Vector3(0, 0, 4.5));
-    this.camera.position.copy(focus).add(offset);
+      : back.multiplyScalar(4.5).applyAxisAngle(this.camera.up, 0.6).add(new Vector3(0, 0, 4.5));
+    const far = Math.max(1, 1.1 / Math.sqrt(this.camera.aspect)); // upright screens see less
+    this.camera.position.copy(focus).addScaledVector(offset, far);
   }
 
   private placeLabels(): void {
@@ -169,7 +170,8 @@ export class SceneView {
       const x = ((at.x + 1) / 2) * this.host.clientWidth;
       const y = ((1 - at.y) / 2) * this.host.clientHeight;
       label.hidden = at.z > 1;
-      label.style.transform = `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px) translate(-50%, -100%)`;
+      label.style.transform =
+        `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px) translate(-50%, -100%)`;
     }
   }
 
@@ -187,7 +189,8 @@ export class SceneView {
   private adapt(fps: number): void {
     const ratio = this.renderer.getPixelRatio();
     if (fps < 10 && ratio <= 0.5) this.period_ms = slowPeriod_ms;
-    const wanted = fps < 12 ? Math.max(0.5, 0.8 * ratio) : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
+    const wanted = fps < 12 ? Math.max(0.5, 0.8 * ratio)
+      : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
     if (Math.abs(wanted - ratio) > 0.01) this.renderer.setPixelRatio(wanted);
   }
 }

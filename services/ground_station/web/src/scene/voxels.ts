@@ -47,8 +47,8 @@ export interface Block {
 }
 
 /**
- * The same cells as few boxes: first upright, as what stands in a room mostly is, then along x, then
- * along y. Below floor_m is the ground; what is above ceiling_m is cut off.
+ * The same cells as few boxes: first upright, as what stands in a room mostly is, then along x,
+ * then along y. Below floor_m is the ground; what is above ceiling_m is cut off.
  */
 export function blocks(voxels: Voxels, floor_m = -Infinity, ceiling_m = Infinity): Block[] {
   const r = voxels.resolution_m;

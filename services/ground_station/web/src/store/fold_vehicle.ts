@@ -103,7 +103,8 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
   if (!before) return;
   if (before.phase !== now.phase)
     note(state, vehicle.name, "info", `mission: ${words.phaseWord(now.phase)}`);
-  if (before.armed !== now.armed) note(state, vehicle.name, "info", now.armed ? "armed" : "disarmed");
+  if (before.armed !== now.armed)
+    note(state, vehicle.name, "info", now.armed ? "armed" : "disarmed");
   if (before.offboard !== now.offboard)
     note(state, vehicle.name, "info", now.offboard ? "in offboard mode" : "left offboard mode");
   if (before.command_id !== now.command_id || before.command_result !== now.command_result)
@@ -129,7 +130,8 @@ const foldHealth: Fold = (state, vehicle, { message }) => {
 
 const foldBattery: Fold = (state, vehicle, { message }) => {
   const battery = message as BatteryStatus;
-  hold(state, vehicle.name, "battery", battery.warning > 0, battery.warning > 1 ? "alarm" : "warning",
+  const severity = battery.warning > 1 ? "alarm" : "warning";
+  hold(state, vehicle.name, "battery", battery.warning > 0, severity,
     `battery: ${words.batteryWord(battery.warning)}, ${Math.round(100 * battery.remaining)} %`);
 };
 

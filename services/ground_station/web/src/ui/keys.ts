@@ -74,7 +74,8 @@ function press(key: string, shift: boolean, session: Session, actions: KeyAction
 }
 
 function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.matches("input:not([type=range]), select, textarea");
+  return target instanceof HTMLElement &&
+    target.matches("input:not([type=range]), select, textarea");
 }
 
 export function listenToKeys(session: Session, actions: KeyActions): () => void {

@@ -6,7 +6,8 @@ export async function order(session: Session, vehicle: string, command: Command)
   if (!vehicle) return session.notice("no vehicle to command");
   session.notice(`${command} ${vehicle} …`);
   const { ok, reason } = await session.operator.command(vehicle, command);
-  session.notice(ok ? `${command} ${vehicle}: sent` : `${command} ${vehicle}: refused, ${reason}`, !ok);
+  const result = ok ? "sent" : `refused, ${reason}`;
+  session.notice(`${command} ${vehicle}: ${result}`, !ok);
 }
 
 export async function lease(session: Session, vehicle: string, action: LeaseAction,

@@ -114,7 +114,9 @@ export function Page({ session }: { session: Session }) {
           </div>
         </section>
       )}
-      {session.replay ? <ReplayBar key={session.replay.recording.name} session={session} mark={mark} /> : null}
+      {session.replay ? (
+        <ReplayBar key={session.replay.recording.name} session={session} mark={mark} />
+      ) : null}
       {narrow ? (
         <footer class="bottom">
           {stopButton}

@@ -26,7 +26,8 @@ afterEach(async () => {
   station.close();
 });
 
-const card = (name: string, field: string): string => `[data-vehicle="${name}"] [data-field="${field}"]`;
+const card = (name: string, field: string): string =>
+  `[data-vehicle="${name}"] [data-field="${field}"]`;
 const tab = (name: string) => page.getByRole("tab", { name }).click();
 
 test("each vehicle has a card, and the chosen one is described", async () => {
@@ -48,7 +49,8 @@ test("the plots tell the newest values", async () => {
   await expectText(page, '[data-chart="Image to setpoint"] .values', /80 ms/);
   await expectText(page, '[data-chart="Plan time"] .values', /predict 2\.5 ms.*path 1\.5 ms/);
   await expectText(page, '[data-chart="Speed"] .values', /vehicle 1\.00 m\/s\s*person 1\.00 m\/s/);
-  await expectText(page, '[data-chart="States"] .values', /gate track · plan fresh · person tracking/);
+  await expectText(page, '[data-chart="States"] .values',
+    /gate track · plan fresh · person tracking/);
 });
 
 test("the cursor is shared by all plots", async () => {
@@ -173,7 +175,8 @@ test("what is not a recording is refused with a reason", async () => {
 test("on a phone nothing is cut off, and STOP is on every tab", async () => {
   const phone = await open(browser, station.url, { width: 390, height: 844 });
   await phone.waitForSelector('[data-vehicle="uav2"]');
-  for (const name of ["Scene", "Plots", "Events", "Diagnostics", "Topics", "Recordings", "Control"]) {
+  const tabs = ["Scene", "Plots", "Events", "Diagnostics", "Topics", "Recordings", "Control"];
+  for (const name of tabs) {
     await phone.getByRole("tab", { name }).click();
     const box = (await phone.locator("button.stop").first().boundingBox())!;
     assert.ok(box.y + box.height <= 844 && box.x + box.width <= 390, name);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { resolve } from "node:path";
-import { after, afterEach, before, test } from "node:test";
+import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 
 import type { Odometry, PlannedTrajectory, SafetyState, ServiceHealth, TargetIntention, TargetState,
@@ -26,9 +26,11 @@ let page: Page & { problems: string[] };
 let observer: Observer;
 let address: string;
 
-const card = (name: string, field: string): string => `[data-vehicle="${name}"] [data-field="${field}"]`;
+const card = (name: string, field: string): string =>
+  `[data-vehicle="${name}"] [data-field="${field}"]`;
 const tab = (name: string) => page.getByRole("tab", { name }).click();
-const says = (selector: string, pattern: RegExp) => expectText(page, selector, pattern, patience_ms);
+const says = (selector: string, pattern: RegExp) =>
+  expectText(page, selector, pattern, patience_ms);
 
 async function shot(name: string, of: Page = page): Promise<void> {
   if (!shots) return;
@@ -37,8 +39,8 @@ async function shot(name: string, of: Page = page): Promise<void> {
 }
 
 /** Tries until it holds; the last failure otherwise. */
-async function eventually(check: () => Promise<void> | void, timeout_ms = patience_ms): Promise<void> {
-  const end = Date.now() + timeout_ms;
+async function eventually(check: () => Promise<void> | void): Promise<void> {
+  const end = Date.now() + patience_ms;
   for (;;) {
     try {
       return await check();
@@ -51,17 +53,17 @@ async function eventually(check: () => Promise<void> | void, timeout_ms = patien
 
 before(async () => {
   for (const service of onboard) flight.service("uav1", service);
-  flight.service("uav1", "simulator", "--scenario", "t_intersection", "--map", "depth", "--endless");
+  flight.service("uav1", "simulator", "--scenario", "t_intersection", "--map", "depth",
+    "--endless");
   flight.service("uav2", "onboard", "--no-mapping", ...second);
-  flight.service("uav2", "simulator", "--scenario", "open_field", "--map", "known", "--endless", ...second);
-  address = await flight.station("--page", resolve("dist"), ...(control ? ["--enable-control", "--print-token"] : []));
+  flight.service("uav2", "simulator", "--scenario", "open_field", "--map", "known", "--endless",
+    ...second);
+  address = await flight.station("--page", resolve("dist"),
+    ...(control ? ["--enable-control", "--print-token"] : []));
   observer = new Observer(address);
   browser = await launch();
   page = await open(browser, address, { name: "ada" });
   await page.waitForSelector('[data-vehicle="uav2"]', { timeout: patience_ms });
-});
-afterEach(async (context) => {
-  if (!("passed" in context) || !context.passed) await shot(`after ${context.name.slice(0, 30)}`);
 });
 after(async () => {
   await browser?.close();
@@ -133,7 +135,8 @@ function assertWithin(value: number, heard: number[], tolerance: number): void {
 test("diagnostics and topics are listed as they are on the bus", async () => {
   await tab("Diagnostics");
   await eventually(async () => {
-    const services = new Map(observer.last<ServiceHealth>("/uav1/health").map((h) => [h.service, h]));
+    const heard = observer.last<ServiceHealth>("/uav1/health");
+    const services = new Map(heard.map((health) => [health.service, health]));
     assert.equal(services.size, 6);
     for (const [service, health] of services) {
       const row = await page.textContent(`[data-service="${service}"]`);
@@ -154,7 +157,7 @@ test("diagnostics and topics are listed as they are on the bus", async () => {
   await tab("Events");
 });
 
-test("a killed service is an alarm, the gate says why it leaves the track, and both end", async () => {
+test("a killed service is an alarm, the gate says why it left the track, both end", async () => {
   flight.signal("SIGKILL", "uav1 planning");
   await says('[data-alarm="uav1 service silent planning"]', /planning: silent for \d+ s/);
   await says(card("uav1", "health"), /planning silent/);
@@ -186,7 +189,9 @@ test("without a word from the station the page says so, and comes back", async (
   await says(card("uav1", "link"), /^[01]\.\d s$/);
 });
 
-test("control is taken, handed over, and STOP halts the vehicle without it", { skip: !control }, async () => {
+const controlled = { skip: !control };
+
+test("control is handed over, and STOP halts the vehicle without it", controlled, async () => {
   const other = await open(browser, address, { name: "bob" });
   await page.getByRole("button", { name: "Take control" }).click();
   await expectText(other, card("uav1", "lease"), /ada/, patience_ms);
@@ -207,7 +212,7 @@ test("control is taken, handed over, and STOP halts the vehicle without it", { s
   await other.context().close();
 });
 
-test("a recording of the station is replayed", { skip: !control }, async () => {
+test("a recording of the station is replayed", controlled, async () => {
   await tab("Recordings");
   await page.getByRole("button", { name: "Record", exact: true }).click();
   await says('[data-field="recording"]', /0:0[3-9]/);

@@ -58,7 +58,8 @@ export class Flight {
   }
 
   async end(): Promise<void> {
-    const children = [...this.processes.values()].filter((c) => c.exitCode === null && c.signalCode === null);
+    const children = [...this.processes.values()]
+      .filter((c) => c.exitCode === null && c.signalCode === null);
     const gone = children.map((c) => new Promise((resolve) => c.once("exit", resolve)));
     for (const child of children) {
       child.kill("SIGCONT");

@@ -28,7 +28,8 @@ test("every topic that the page reads survives the wire", () => {
   for (const step of [100, 150, 200])
     for (const [name, message] of samplesAt(step / 100, step, 0)) {
       const type = typeOf(name);
-      const decoded = decoders.decode(channelOf(`/a/${name}`, type), unaligned(encode(type, message)));
+      const bytes = unaligned(encode(type, message));
+      const decoded = decoders.decode(channelOf(`/a/${name}`, type), bytes);
       assert.ok(decoded, name);
       seen.add(name);
     }
@@ -48,7 +49,7 @@ test("a gate's report is read field for field", () => {
 test("a plan's polynomial is read in its order of powers", () => {
   const type = "foretrack_msgs/PlannedTrajectory";
   const [, message] = samplesAt(1, 100, 0).find(([name]) => name === "plan/trajectory")!;
-  const coefficients = Array.from({ length: 18 }, (_, i) => (i === 0 ? 1 : i === 4 ? 2 : i === 8 ? 3 : 0));
+  const coefficients = [[1, 0, 0], [0, 2, 0], [0, 0, 3], ...new Array(3).fill([0, 0, 0])].flat();
   const plan = new Decoders().decode(channelOf("/a/plan/trajectory", type), encode(type,
     { ...(message as object), pieces: [{ duration_s: 2, coefficients }] })) as PlannedTrajectory;
   assert.deepEqual(samplePlan(plan, 2), [[1, 0, 0], [1, 2, 3], [1, 4, 12]]);
@@ -85,7 +86,7 @@ const raw = (topic: string, time_s: number, data = new Uint8Array(4)): RawSample
   channel: { topic, encoding: "json", schemaName: "", schemaEncoding: "", schema: "" },
   bytes: data.byteLength, data });
 
-test("a queue keeps the newest of a state topic, all of an event topic, and counts every one", () => {
+test("a queue keeps the newest of a state, all of the events, and counts every sample", () => {
   const queue = new SampleQueue();
   for (let i = 0; i < 3; i++) {
     queue.push(raw("/a/odometry", i));

@@ -18,7 +18,8 @@ async function stateAt(from_s: number, to_s: number): Promise<State> {
   const recording = await opened;
   const state = makeState();
   const intake = new Intake((problem) => assert.fail(problem));
-  const samples = [...await recording.lastBefore(from_s), ...await recording.read(from_s, to_s, () => false)];
+  const samples = [...await recording.lastBefore(from_s),
+    ...await recording.read(from_s, to_s, () => false)];
   for (const sample of intake.take(samples)) reduce(state, { kind: "sample", sample });
   return reduce(state, { kind: "time", now_s: to_s });
 }

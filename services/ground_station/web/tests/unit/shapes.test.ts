@@ -55,7 +55,7 @@ test("boxes cover exactly the occupied cells, each once", () => {
 });
 
 test("a wall is one box, cut at the ceiling, without the ground", () => {
-  const wall = [0, 1, 2, 3].flatMap((i) => [0, 1, 2, 3, 4, 5].map((k): [number, number, number] => [i, 1, k]));
+  const wall = Array.from({ length: 24 }, (_, n): [number, number, number] => [n % 4, 1, n >> 2]);
   const ground: [number, number, number][] = [[0, 3, 0], [1, 3, 0]];
   assert.deepEqual(blocks(voxelsOfMap(mapOf([...wall, ...ground])), 0.6, 1.2),
     [{ x0: -1, x1: 1, y0: 0.5, y1: 1, z0: 0, z1: 1.2 }]);
@@ -70,7 +70,8 @@ test("the cloud of a map's cells gives the map's voxels", () => {
 });
 
 test("a stack's top is the sum, and a missing row stays missing", () => {
-  assert.deepEqual(stacked([[0.2, null, 0.5], [0.3, null, null]]), [[0.2, null, 0.5], [0.5, null, 0.5]]);
+  assert.deepEqual(stacked([[0.2, null, 0.5], [0.3, null, null]]),
+    [[0.2, null, 0.5], [0.5, null, 0.5]]);
 });
 
 test("a series is thinned, shows gaps, and forgets what is old", () => {

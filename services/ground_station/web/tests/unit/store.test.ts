@@ -133,7 +133,8 @@ test("the station's report raises mismatches and tells of leases", () => {
       foreign_type: null }] });
   const state = fold([status(null, 0), status("ada", 1), status("bob", 0), status(null, 0)]
     .map((s, i) => sample("//station/status", i, s)).map((input) => {
-      if (input.kind === "sample") Object.assign(input.sample, { vehicle: "", name: "station/status" });
+      if (input.kind === "sample")
+        Object.assign(input.sample, { vehicle: "", name: "station/status" });
       return input;
     }));
   assert.ok(texts(state).includes("ada has control"));
