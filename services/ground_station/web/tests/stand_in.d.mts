@@ -4,6 +4,7 @@ export interface StandIn {
   killed: Set<string>;
   mismatched: Set<string>;
   received: string[];
+  recordings: Map<string, Uint8Array>;
   close(): void;
 }
 export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string }):

@@ -21,7 +21,8 @@ class StandIn {
   silent = new Set(); // vehicles of which nothing comes
   killed = new Set(); // services whose health does not come
   mismatched = new Set(); // topics whose quality of service does not match
-  received = []; // bodies of /api/command
+  received = []; // orders, as they came
+  recordings = new Map(); // bytes by file name
 
   constructor({ port = 0, vehicles = 1, dist = "dist" } = {}) {
     this.dist = dist;
@@ -126,6 +127,7 @@ class StandIn {
   async answer(request, response) {
     const path = new URL(request.url, "http://host").pathname;
     if (path.startsWith("/api/")) return this.api(path.slice(5), request, response);
+    if (path.startsWith("/recordings/")) return this.part(path.slice(12), request, response);
     const file = path === "/" ? "index.html" : path.slice(1);
     try {
       const body = readFileSync(join(this.dist, file));
@@ -141,11 +143,22 @@ class StandIn {
     let text = "";
     for await (const part of request) text += part;
     const said = text ? JSON.parse(text) : {};
-    const body = path === "status" ? this.status() : path === "recordings" ? []
+    const body = path === "status" ? this.status() : path === "recordings"
+      ? [...this.recordings].map(([name, data]) => ({ file: name, bytes: data.length }))
       : path === "lease" ? this.lease(said) : path === "command" ? this.command(said)
         : { ok: false, reason: "not in the stand-in" };
     response.writeHead(200, { "Content-Type": "application/json" }).end(JSON.stringify(body));
     this.report();
+  }
+
+  part(name, request, response) {
+    const bytes = this.recordings.get(decodeURIComponent(name));
+    const range = /bytes=(\d+)-(\d+)/.exec(request.headers.range ?? "");
+    if (!bytes || !range) return response.writeHead(404).end();
+    const part = bytes.subarray(Number(range[1]), Number(range[2]) + 1);
+    const last = Number(range[1]) + part.length - 1;
+    response.writeHead(206, { "Content-Range": `bytes ${range[1]}-${last}/${bytes.length}` });
+    response.end(part);
   }
 
   lease({ vehicle, operator, action, to }) {

@@ -135,9 +135,10 @@ function plan(t, index, id) {
 
 export function safety(t, more = {}) {
   return { header: headerOf(t), caused_by: stampOf(t - 0.08), mode: 0, reason: 0, text: "",
-    phase: 1, request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01, deviation_m: 0.05,
-    offboard: true, armed: true, heartbeat: true, setpoint_valid: true, position_m: [0, 0, 0],
-    velocity_mps: [0, 0, 0], acceleration_mps2: [0, 0, 0], yaw_rad: 0, yaw_rate_radps: 0,
+    phase: 1, request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01,
+    deviation_m: 0.05, offboard: true, armed: true, heartbeat: true, setpoint_valid: true,
+    position_m: [0, 0, 0], velocity_mps: [0, 0, 0], acceleration_mps2: [0, 0, 0], yaw_rad: 0,
+    yaw_rate_radps: 0,
     command_id: 0n, command_result: 0, operator_id: "", ...more };
 }
 

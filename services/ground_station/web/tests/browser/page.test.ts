@@ -165,6 +165,22 @@ test("a recording is replayed, stepped, sought and marked by its log time", asyn
   assert.deepEqual(page.problems, []);
 });
 
+test("a recording of the station is read in parts", async () => {
+  const bytes = await syntheticRecording({ begin_s: 1_700_000_000, seconds: 20 });
+  assert.ok(bytes.length > 3 << 20, "the file is to be larger than some parts");
+  station.recordings.set("day 1.mcap", bytes);
+  await tab("Recordings");
+  await page.getByRole("button", { name: "Replay" }).click();
+  await page.getByRole("button", { name: "pause" }).click();
+  await page.fill('[aria-label="go to"]', "18.98");
+  await page.keyboard.press("Enter");
+  await expectText(page, '[data-field="replay-time"]', /^0:19\.0 \/ 0:20\.0$/);
+  const expected = probabilities(19)["left"]!;
+  await expectText(page, '[data-field="p-left"]', new RegExp(expected.toFixed(2)));
+  await expectText(page, '[data-field="person"]', /tracking/);
+  assert.equal(await page.locator(".readout .stale").count(), 0);
+});
+
 test("what is not a recording is refused with a reason", async () => {
   await tab("Recordings");
   await page.setInputFiles('[aria-label="open a recording"]',
