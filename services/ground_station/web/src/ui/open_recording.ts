@@ -6,11 +6,11 @@ export async function openRecording(session: Session, from: File | string): Prom
   const name = typeof from === "string" ? from : from.name;
   session.notice(`opening ${name} …`);
   try {
-    const { Recording, readableAt, readableOf } = await import("../data/recording.ts");
+    const { openMcap, readableAt, readableOf } = await import("../data/open_recording.ts");
     const readable = typeof from === "string"
       ? readableAt(`recordings/${encodeURIComponent(from)}`, session.operator.headers())
       : readableOf(from);
-    session.startReplay(await Recording.open(name, readable));
+    session.startReplay(await openMcap(name, readable));
     session.notice("");
   } catch (error) {
     session.notice(`${name} cannot be replayed: ${(error as Error).message}`);

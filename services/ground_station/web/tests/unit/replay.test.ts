@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Intake } from "../../src/data/intake.ts";
-import { readableOf, Recording } from "../../src/data/recording.ts";
+import { openMcap, readableOf } from "../../src/data/open_recording.ts";
 import { reduce } from "../../src/store/reduce.ts";
 import { makeState, type State } from "../../src/store/state.ts";
 import { probabilities } from "../synthetic.mjs";
@@ -11,8 +11,8 @@ import { syntheticRecording } from "../write_mcap.mjs";
 
 const begin_s = 1_700_000_000;
 const file = syntheticRecording({ begin_s, seconds: 6, vehicles: ["uav1", "uav2"] });
-const opened = file.then((bytes) => Recording.open("test.mcap",
-  readableOf(new Blob([bytes as Uint8Array<ArrayBuffer>]))));
+const opened = file.then((bytes) => openMcap("test.mcap", readableOf(blobOf(bytes))));
+const blobOf = (bytes: Uint8Array): Blob => new Blob([bytes as Uint8Array<ArrayBuffer>]);
 
 async function stateAt(from_s: number, to_s: number): Promise<State> {
   const recording = await opened;
@@ -52,6 +52,21 @@ test("a map that was sent before the sought place is still there", async () => {
   assert.ok(Math.abs(state.vehicles.get("uav2")!.latest["map/local"]!.time_s - begin_s - 4) < 1e-5);
 });
 
+test("a recording that was cut off is read up to its last chunk", async () => {
+  const bytes = await file;
+  const cut = await openMcap("cut.mcap", readableOf(blobOf(bytes.subarray(0, bytes.length / 2))));
+  const whole = await opened;
+  assert.equal(cut.begin_s, whole.begin_s);
+  assert.ok(cut.end_s > begin_s + 1.5 && cut.end_s < begin_s + 4.5, String(cut.end_s - begin_s));
+  const to_s = cut.end_s - 0.05; // of the last moment some samples are in the lost chunk
+  const [a, b] = [await cut.read(begin_s, to_s, () => false),
+    await whole.read(begin_s, to_s, () => false)];
+  assert.equal(a.length, b.length);
+  assert.deepEqual(a[100], b[100]);
+  const [c, d] = [await cut.lastBefore(begin_s + 1), await whole.lastBefore(begin_s + 1)];
+  assert.equal(c.length, d.length);
+});
+
 test("what is not an MCAP file is refused", async () => {
-  await assert.rejects(Recording.open("x", readableOf(new Blob(["not a recording at all"]))));
+  await assert.rejects(openMcap("x", readableOf(new Blob(["not a recording at all"]))));
 });
