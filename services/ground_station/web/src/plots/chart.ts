@@ -96,7 +96,7 @@ export class Chart {
   private timeAxis(): uPlot.Axis {
     return { show: true, size: this.last ? 22 : 0, stroke: axisColor, font, space: 70,
       grid: { stroke: gridColor, width: 1 }, ticks: { show: false },
-      incrs: [1, 2, 5, 10, 15, 30, 60],
+      incrs: [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 3600, 86400],
       values: (_u, splits) => this.last ? splits.map((s) => timeOfDay(s)) : splits.map(() => "") };
   }
 

@@ -59,7 +59,8 @@ before(async () => {
   flight.service("uav2", "simulator", "--scenario", "open_field", "--map", "known", "--endless",
     ...second);
   address = await flight.station("--page", resolve("dist"),
-    ...(control ? ["--enable-control", "--print-token"] : []));
+    ...(control ? ["--enable-control", "--print-token", "--token-file", "tokens",
+      "--audit-file", "audit"] : []));
   observer = new Observer(address);
   browser = await launch();
   page = await open(browser, address, { name: "ada" });
@@ -202,7 +203,7 @@ test("control is handed over, and STOP halts the vehicle without it", controlled
   await says(card("uav1", "lease"), /bob/);
   await other.getByRole("button", { name: "Hold", exact: true }).click();
   await says(card("uav1", "phase"), /holding/);
-  await page.locator("button.stop").dispatchEvent("pointerdown", { button: 0 });
+  await page.locator(".bar button.stop").dispatchEvent("pointerdown", { button: 0 });
   await says(card("uav1", "phase"), /stopped/);
   await eventually(() => {
     const { linear: v } = observer.last<Odometry>("/uav1/odometry").at(-1)!.twist.twist;
