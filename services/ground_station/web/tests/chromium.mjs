@@ -20,7 +20,7 @@ export async function open(browser, url, { width = 1440, height = 900, name } = 
   if (name)
     await context.addInitScript((who) => localStorage.setItem("foretrack.operator", who), name);
   const page = await context.newPage();
-  page.setDefaultTimeout(20000);
+  page.setDefaultTimeout(40000);
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(String(error)));
   page.on("console", (message) => {
@@ -33,7 +33,7 @@ export async function open(browser, url, { width = 1440, height = 900, name } = 
 }
 
 /** Waits until the text of a field fits; throws with what it is instead. */
-export async function expectText(page, selector, pattern, timeout = 20000) {
+export async function expectText(page, selector, pattern, timeout = 30000) {
   const field = page.locator(selector).first();
   const end = Date.now() + timeout;
   let text = "";
