@@ -169,8 +169,11 @@ FlightSummary Demo::summary() const {
 }
 
 void Demo::write(const FlightSummary& summary) const {
-  const FlightResult flight{options_.scenario, world_of(options_.scenario), recorder_.rows(),
-                            summary.metrics};
+  const FlightResult flight{.scenario = options_.scenario,
+                            .world = world_of(options_.scenario),
+                            .rows = recorder_.rows(),
+                            .metrics = summary.metrics,
+                            .plan_ms = {}};
   write_flight(flight, MetricParams{}, options_.folder);
   std::ofstream file(options_.folder / "summary.json");
   file << to_json_text(summary);
