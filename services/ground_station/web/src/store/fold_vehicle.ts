@@ -67,14 +67,19 @@ const foldSafety: Fold = (state, vehicle, { message, time_s }) => {
   const safety = message as SafetyState;
   compare(state, vehicle, safety);
   climb(state, vehicle, safety, time_s);
-  const cause_s = seconds(safety.caused_by);
-  if (safety.setpoint_valid && cause_s > vehicle.caused_by_s) {
-    vehicle.caused_by_s = cause_s;
-    vehicle.latency.push(time_s, [1e3 * (seconds(safety.header.stamp) - cause_s)]);
-  } else if (cause_s > 0 && cause_s < vehicle.caused_by_s - 5) {
-    vehicle.caused_by_s = cause_s; // the flight's clock began anew
-  }
+  measureLatency(vehicle, safety, time_s);
 };
+
+// The first cause that is heard may be old: its setpoint may have come before we listened.
+function measureLatency(vehicle: Vehicle, safety: SafetyState, time_s: number): void {
+  const cause_s = seconds(safety.caused_by);
+  const before_s = vehicle.caused_by_s;
+  const beganAnew = cause_s > 0 && cause_s < before_s - 5; // the flight's clock
+  if (!safety.setpoint_valid || (cause_s <= before_s && !beganAnew)) return;
+  vehicle.caused_by_s = cause_s;
+  if (before_s === -Infinity || beganAnew) return;
+  vehicle.latency.push(time_s, [1e3 * (seconds(safety.header.stamp) - cause_s)]);
+}
 
 /** A reason that keeps changing while the state stays makes new rungs; silence makes a gap. */
 function extend(rungs: Rung[], time_s: number, state: number, word: string, why: string): boolean {

@@ -34,9 +34,11 @@ test("the person's distance is not known before they were ever seen", () => {
 });
 
 test("latency is from the image's stamp to the first setpoint that follows from it, once", () => {
-  const state = fold([sample("/a/safety/state", 1, safety(100)),
-    sample("/a/safety/state", 1.05, safety(100.05, { caused_by: { sec: 99, nanosec: 900000000 } })),
-    sample("/a/safety/state", 1.1, safety(100.1, { setpoint_valid: false }))]);
+  const cause = { caused_by: { sec: 100, nanosec: 0 } };
+  const state = fold([sample("/a/safety/state", 0.9, safety(99.9, { caused_by: { sec: 60 } })),
+    sample("/a/safety/state", 1, safety(100.1, cause)),
+    sample("/a/safety/state", 1.05, safety(100.15, cause)),
+    sample("/a/safety/state", 1.1, safety(100.2, { setpoint_valid: false }))]);
   const { latency } = state.vehicles.get("a")!;
   assert.equal(latency.times.length, 1);
   assert.ok(Math.abs(latency.newest()! - 100) < 1e-6);
