@@ -110,6 +110,8 @@ export interface SafetyState {
   command_id: bigint;
   command_result: number;
   operator_id: string;
+  command?: number; // these two are missing in older recordings
+  lease_operator?: string;
 }
 
 export interface MissionCommand {

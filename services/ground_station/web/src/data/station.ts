@@ -24,6 +24,15 @@ export interface StationTopic {
   foreign_type: string | null;
 }
 
+export interface StationClient {
+  id: number;
+  address: string;
+  subscriptions: number;
+  bytes_s: number;
+  waiting_bytes: number;
+  dropped: number;
+}
+
 export interface StationStatus {
   server: {
     version: string; uptime_s: number; clients: number; control_enabled: boolean;
@@ -34,7 +43,7 @@ export interface StationStatus {
     active: boolean; file: string; bytes: number; seconds: number; lost?: number;
   } | null;
   topics: StationTopic[];
-  clients: unknown[];
+  clients: StationClient[];
 }
 
 export interface Answer { ok: boolean; reason: string }

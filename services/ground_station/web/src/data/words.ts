@@ -61,4 +61,6 @@ export const Mode = { track: 0, coast: 1, hover: 2, brake: 3, silent: 4 } as con
 export const Track = { none: 0, tracking: 1, coasting: 2, lost: 3 } as const;
 export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as const;
 export const ServiceState = { starting: 0, running: 1, degraded: 2, stopping: 3 } as const;
+/** A lease is renewed by an order every second. */
+export const leaseCommand = 6;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;

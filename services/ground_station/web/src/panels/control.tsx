@@ -2,6 +2,7 @@
 import { lease, order } from "../ui/orders.ts";
 import { resultWord } from "../data/words.ts";
 import type { StationVehicle } from "../data/station.ts";
+import { bytes } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
 import { Commands } from "./commands.tsx";
 import { HoldButton } from "./stop.tsx";
@@ -48,6 +49,23 @@ function Row({ session, vehicle }: { session: Session; vehicle: StationVehicle }
   );
 }
 
+function Clients({ session }: { session: Session }) {
+  const clients = session.liveState.station?.message.clients ?? [];
+  return (
+    <table aria-label="clients">
+      <thead><tr><th>watching</th><th>topics</th><th>flow</th><th>waiting</th><th>left out</th></tr>
+      </thead>
+      <tbody>{clients.map((c) => (
+        <tr key={c.id}>
+          <td>{c.address}</td><td class="n">{c.subscriptions}</td>
+          <td class="n">{bytes(c.bytes_s)}/s</td><td class="n">{bytes(c.waiting_bytes)}</td>
+          <td class="n">{c.dropped}</td>
+        </tr>
+      ))}</tbody>
+    </table>
+  );
+}
+
 export function ControlPanel({ session }: { session: Session }) {
   const vehicles = session.liveState.station?.message.vehicles ?? [];
   return (
@@ -61,6 +79,7 @@ export function ControlPanel({ session }: { session: Session }) {
           <th>safety gate</th><th /></tr></thead>
         <tbody>{vehicles.map((v) => <Row key={v.name} session={session} vehicle={v} />)}</tbody>
       </table>
+      <Clients session={session} />
       {vehicles.length > 1 ? (
         <HoldButton label="STOP all"
           act={() => vehicles.forEach((v) => void order(session, v.name, "stop"))} />

@@ -76,8 +76,9 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
   const health = healthOf(state, vehicle);
   const lost = losses(vehicle);
   const link_s = state.now_s - vehicle.heard_s;
-  const lease = session.liveState.station?.message.vehicles
-    .find((v) => v.name === vehicle.name)?.lease;
+  const holder = session.replay ? vehicle.latest["safety/state"]?.message.lease_operator
+    : session.liveState.station?.message.vehicles.find((v) => v.name === vehicle.name)?.lease
+      ?.operator;
   const silent = link_s > gone_s;
   return (
     <button class={`card ${silent ? "silent" : ""}`} data-vehicle={vehicle.name}
@@ -93,7 +94,7 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
           rate(state, vehicle, "target/state")} · {rate(state, vehicle, "plan/trajectory")} Hz</dd>
         <dt title={lost.reasons || "samples that services refused"}>losses</dt>
         <dd data-field="losses" title={lost.reasons}>{lost.count}</dd>
-        <dt>control</dt><dd data-field="lease">{lease?.operator ?? "free"}</dd>
+        <dt>control</dt><dd data-field="lease">{holder || "free"}</dd>
       </dl>
     </button>
   );

@@ -5,7 +5,7 @@ import {
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
-import { GateReason, Mode, PlanState, ServiceState, Track } from "../data/words.ts";
+import { GateReason, leaseCommand, Mode, PlanState, ServiceState, Track } from "../data/words.ts";
 import { hold, note } from "./alarms.ts";
 import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
 import type { Rung, Severity, State, Vehicle } from "./state.ts";
@@ -112,16 +112,22 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
     note(state, vehicle.name, "info", now.armed ? "armed" : "disarmed");
   if (before.offboard !== now.offboard)
     note(state, vehicle.name, "info", now.offboard ? "in offboard mode" : "left offboard mode");
-  if (before.command_id !== now.command_id || before.command_result !== now.command_result)
-    note(state, vehicle.name, now.command_result > 1 ? "warning" : "info",
-      `command ${now.command_id} of ${now.operator_id || "someone"}: ` +
-      words.resultWord(now.command_result));
+  const [from, to] = [before.lease_operator ?? "", now.lease_operator ?? ""];
+  if (from !== to)
+    note(state, vehicle.name, "info", to ? `${to} has control` : `${from} gave up control`);
+  const isNew = before.command_id !== now.command_id || before.command_result !== now.command_result;
+  const refused = now.command_result > 1;
+  if (!isNew || (now.command === leaseCommand && !refused)) return;
+  const order = now.command === undefined ? "command" : words.commandWord(now.command);
+  note(state, vehicle.name, refused ? "warning" : "info",
+    `${order} of ${now.operator_id || "someone"}: ${words.resultWord(now.command_result)}`);
 }
 
 const foldCommand: Fold = (state, vehicle, { message }) => {
-  const order = message as MissionCommand;
+  const { command, operator_id } = message as MissionCommand;
+  if (command === leaseCommand) return;
   note(state, vehicle.name, "info",
-    `${order.operator_id || "someone"} orders: ${words.commandWord(order.command)}`);
+    `${operator_id || "someone"} orders: ${words.commandWord(command)}`);
 };
 
 const foldHealth: Fold = (state, vehicle, { message }) => {

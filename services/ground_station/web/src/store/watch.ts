@@ -34,13 +34,10 @@ export function hearStation(state: State, status: StationStatus): void {
   }
 }
 
-/** What changed from one report of the station to the next: leases, commands, recording. */
+/** What changed from one report of the station to the next: refused orders, recording. */
 export function compareStations(state: State, before: StationStatus, now: StationStatus): void {
   for (const vehicle of now.vehicles) {
     const was = before.vehicles.find((v) => v.name === vehicle.name);
-    const [from, to] = [was?.lease?.operator ?? "", vehicle.lease?.operator ?? ""];
-    if (from !== to)
-      note(state, vehicle.name, "info", to ? `${to} has control` : `${from} gave up control`);
     const command = vehicle.last_command;
     if (command && command.reason && command.id !== was?.last_command?.id)
       note(state, vehicle.name, "warning",

@@ -112,8 +112,16 @@ test("what changes in the gate's report is an event", () => {
       operator_id: "bob", mode: 3, reason: 9 }))]);
   const said = texts(state);
   assert.ok(said.includes("mission: stopped"));
-  assert.ok(said.includes("command 7 of ada: accepted"));
-  assert.ok(said.includes("command 8 of bob: refused: not from this phase"));
+  assert.ok(said.includes("command of ada: accepted"));
+  assert.ok(said.includes("command of bob: refused: not from this phase"));
+});
+
+test("who has control is told once, however often the lease is renewed", () => {
+  const state = fold(["", "ada", "ada", "ada", "bob", ""].map((lease_operator, i) =>
+    sample("/a/safety/state", i, safety(i, { lease_operator, command: 6, command_id: BigInt(i),
+      command_result: 1, operator_id: lease_operator }))));
+  assert.deepEqual(texts(state).filter((text) => /control|accepted/.test(text)),
+    ["ada has control", "bob has control", "bob gave up control"]);
 });
 
 test("rates are those of all samples, also of those that were not decoded", () => {
@@ -125,23 +133,21 @@ test("rates are those of all samples, also of those that were not decoded", () =
   assert.ok(Math.abs(traffic.bytes_s - 12625) < 200);
 });
 
-test("the station's report raises mismatches and tells of leases", () => {
-  const status = (operator: string | null, qos_mismatch: number) => ({
+test("the station's report raises mismatches and tells of refused orders", () => {
+  const status = (id: number, qos_mismatch: number) => ({
     server: { version: "1", uptime_s: 1, clients: 1, control_enabled: true, needs_token: false },
-    vehicles: [{ name: "a", seen_s_ago: 0, last_command: null,
-      lease: operator ? { operator, expires_s: 5 } : null }],
+    vehicles: [{ name: "a", seen_s_ago: 0, lease: null, last_command: { id, command: "hold",
+      operator: "ada", result: "refused", reason: "bob has control" } }],
     recording: null, clients: [], topics: [{ topic: "/a/odometry", type: "T", vehicle: "a",
       writers: 1, readers: 1, rate_hz: 1, bytes_s: 1, age_s: 0, limited: false, qos_mismatch,
       foreign_type: null }] });
-  const state = fold([status(null, 0), status("ada", 1), status("bob", 0), status(null, 0)]
-    .map((s, i) => sample("//station/status", i, s)).map((input) => {
-      if (input.kind === "sample")
-        Object.assign(input.sample, { vehicle: "", name: "station/status" });
-      return input;
-    }));
-  assert.ok(texts(state).includes("ada has control"));
-  assert.ok(texts(state).includes("bob has control"));
-  assert.ok(texts(state).includes("bob gave up control"));
+  const state = fold([status(1, 0), status(2, 1), status(2, 0)].map((message, i) => {
+    const input = sample("/x/y", i, message);
+    if (input.kind === "sample")
+      Object.assign(input.sample, { vehicle: "", name: "station/status" });
+    return input;
+  }));
+  assert.equal(texts(state).filter((t) => t === "hold of ada: refused, bob has control").length, 1);
   assert.equal(alarm(state, "a qos /a/odometry")!.cleared_s, 2);
 });
 
