@@ -44,12 +44,12 @@ struct OptimizationProblem {
 
 struct OptimizerParams {
   double time_weight = 20.0;              // ρ
-  double corridor_weight = 1.0e6;         // of cubed metres
-  double speed_weight = 1.0e3;            // of cubed (m/s)²
-  double acceleration_weight = 1.0e2;     // of cubed (m/s²)²
-  double visibility_weight = 8.0e3;       // of the cubed cosine, V̂_k
-  double next_visibility_weight = 4.0e3;  // of the cubed cosine, V_{k+1}
-  double distance_weight = 2.0e3;         // of cubed metres
+  double corridor_weight = 4.0e6;         // of cubed metres
+  double speed_weight = 4.0e3;            // of cubed (m/s)²
+  double acceleration_weight = 4.0e2;     // of cubed (m/s²)²
+  double visibility_weight = 4.0e5;       // of the cubed cosine, V̂_k
+  double next_visibility_weight = 2.0e5;  // of the cubed cosine, V_{k+1}
+  double distance_weight = 1.0e5;         // of cubed metres
   double height_weight = 1.0e3;           // of cubed metres
   double limit_fraction = 0.93;           // the penalties' limits, as a part of the flight limits
   double corridor_margin_m = 0.03;        // penalties begin this far inside a polytope

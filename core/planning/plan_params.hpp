@@ -29,7 +29,7 @@ struct PlaceParams {
   double distance_low_m = 1.5;         // d_l
   double distance_high_m = 2.5;        // d_u
   double distance_reserve_m = 0.3;     // kept beyond d_l, for what the vehicle needs to react
-  double distance_extra_m = 0.4;       // d_ε
+  double distance_extra_m = 0.6;       // d_ε
   double ring_tolerance_m = 0.2;       // of the wanted distance, the middle of the band
   double margin_min_rad = 0.12;        // θ_0
   double margin_extra_rad = 0.4;       // θ_ε

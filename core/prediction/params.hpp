@@ -33,8 +33,8 @@ struct PredictionParams {
   double walking_speed_m_s = 0.2;
   double speed_fall_interval_s = 0.4;
   // Motion models
-  double turn_rate_rad_s = 5.0 * kPi / 6.0;
-  double max_turn_rad = kPi / 2.0;
+  double turn_rate_rad_s = 3.5;
+  double max_turn_rad = 2.2;
   double min_turn_rad = kPi / 6.0;
   double min_turn_way_m = 0.8;
   double deceleration_m_s2 = 2.0;

@@ -45,7 +45,7 @@ struct SafetyParams {
   double brake_done_m_s = 0.2;
   double command_max_age_s = 1.0;
   double request_period_s = 0.5;
-  double response_s = 0.18;
+  double response_s = 0.1;
   bool start_on_launch = true;
 };
 ParamRows rows(SafetyParams& params);

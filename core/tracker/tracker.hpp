@@ -11,7 +11,7 @@
 namespace foretrack {
 
 struct TrackerRates {
-  double plan_period_s = 0.05;
+  double plan_period_s = 0.03;
 };
 ParamRows rows(TrackerRates& rates);
 
