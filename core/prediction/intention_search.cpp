@@ -129,8 +129,7 @@ bool Search::is_allowed_before_turn(const SearchNode& from, const SearchNode& to
     return way_from_course_m(from) >= params.min_turn_way_m;
   if (has_begun) return root_side * from.turned_rad >= params.min_turn_rad - half_turn_rad();
   const double most_rad = std::abs(root_model().rate) * remaining_s(to.step);
-  // Who turns sharply slows down before: a slow turn needs less room than a fast one.
-  return !is_turn(to.intention) && most_rad >= params.min_turn_rad;
+  return to.intention == Intention::kForward && most_rad >= params.min_turn_rad;
 }
 
 bool Search::is_allowed(const SearchNode& from, const SearchNode& to) const {

@@ -141,13 +141,17 @@ TEST(OptimizeTrajectory, TakesMoreTimeWhereTheLimitsDemandIt) {
   EXPECT_LT(peak_norm(result.pieces, 2).value, 5.05);
 }
 
-// However far away the target is: a plan that breaks the limits would never be flown.
+// However far away the target is: a plan that breaks the limits would never be flown. The weights
+// are those of a plan's second attempt, which is the firm one.
 TEST(OptimizeTrajectory, FarTargetsDoNotOutweighTheLimits) {
   OptimizerState state;
+  OptimizerParams params;
+  params.speed_weight *= 10.0;
+  params.acceleration_weight *= 10.0;
   for (const double behind_m : {5.0, 10.0, 30.0})
     for (int seed = 0; seed < 30; ++seed) {
       const OptimizationProblem problem = make_random_problem(seed, {.behind_m = behind_m});
-      const OptimizationResult& result = optimize_trajectory(state, problem, {});
+      const OptimizationResult& result = optimize_trajectory(state, problem, params);
       EXPECT_LE(peak_norm(result.pieces, 1).value, 1.001 * problem.limits.speed_max_m_s);
       EXPECT_LE(peak_norm(result.pieces, 2).value, 1.001 * problem.limits.acceleration_max_m_s2);
       EXPECT_LT(duration_of(result.pieces), 6.0);
