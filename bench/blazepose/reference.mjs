@@ -1,12 +1,13 @@
 // What the original (@mediapipe/pose, in headless Chromium) sees in pictures, as JSON.
-//   node reference.mjs [--model 0|1|2] [--frames N] [--gpu] [--chromium PROGRAM] PICTURE.png...
+//   node reference.mjs [--model 0|1|2] [--frames N] [--compact] [--gpu] [--chromium PROGRAM] PICTURE.png...
 // Each picture is shown N times from a reset: the first time it is detected, then it is tracked.
-// The package is fetched with npm into models/ (see ./run models). Needs nothing but Node 18.
+// --compact: as tests/data/blazepose_reference.json (a row a landmark: pixels, visibility, metres).
+// --package: the unpacked npm package; deploy/models/fetch.sh --package FOLDER makes it. Node 18.
 import {spawn} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
-import {dirname, join} from 'node:path';
+import {basename, dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {parseArgs} from 'node:util';
 
@@ -17,9 +18,10 @@ const {values: options, positionals: pictures} = parseArgs({
     model: {type: 'string', default: '1'},
     frames: {type: 'string', default: '1'},
     gpu: {type: 'boolean', default: false},
+    compact: {type: 'boolean', default: false},
     verbose: {type: 'boolean', default: false},
     chromium: {type: 'string', default: 'chromium'},
-    package: {type: 'string', default: join(here, '../../models/package')},
+    package: {type: 'string', default: join(here, '../../models/mediapipe')},
     timeout: {type: 'string', default: '300'},
   },
 });
@@ -51,6 +53,20 @@ function answer(path) {
   if (part[1] === 'pose.js') return ['text/javascript', withRegions(body.toString())];
   if (part[1].endsWith('.js')) return ['text/javascript', body];
   return [part[1].endsWith('.wasm') ? 'application/wasm' : 'application/octet-stream', body];
+}
+
+// Model, name, and a row a landmark: x and y in pixels, visibility, world x, y, z in metres.
+function compact(result) {
+  const digits = (value, count) => Number(value.toFixed(count));
+  const lines = result.pictures.map((entry) => JSON.stringify({
+    model: Number(options.model), picture: basename(entry.picture),
+    frames: entry.frames.map((frame) => frame.landmarks.map((mark, k) => {
+      const {x, y, z} = frame.world[k];
+      return [digits(mark.x * entry.width, 3), digits(mark.y * entry.height, 3),
+        digits(mark.visibility, 4), digits(x, 5), digits(y, 5), digits(z, 5)];
+    })),
+  }));
+  return lines.join(',\n');
 }
 
 function serve(done) {
@@ -95,6 +111,6 @@ setTimeout(() => {
     process.exit(1);
   }
   result.pictures.forEach((entry, k) => { entry.picture = pictures[k]; });
-  process.stdout.write(JSON.stringify(result));
+  process.stdout.write(options.compact ? compact(result) : JSON.stringify(result));
   process.exit(0);
 }, 500);

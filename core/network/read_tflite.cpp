@@ -25,7 +25,7 @@ enum Operator : int {
   kOpDensify = 124,
 };
 constexpr std::uint32_t kVersion = 3;
-constexpr std::size_t kMostElements = 1 << 27;  // of all constants: 512 MB
+constexpr std::size_t kMostInConstants = 1 << 27;  // of all constants: 512 MB
 constexpr int kMostStep = 64;
 
 struct Options {
@@ -126,7 +126,7 @@ std::vector<NetworkTensor> read_tensors(const FlatTable& graph, const FlatTable&
   for (const FlatTable& tensor : graph.tables(0)) {
     tensors.push_back(read_tensor(tensor, buffers));
     elements += tensors.back().values.size();
-    if (elements > kMostElements) throw NetworkFileError("too many weights");
+    if (elements > kMostInConstants) throw NetworkFileError("too many weights");
   }
   return tensors;
 }

@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr int kSide = 224;
-constexpr int kNumbers = 12;  // of an anchor: box centre and size, four points
+constexpr int kDetectorSide = 224;
+constexpr int kAnchorNumbers = 12;  // of an anchor: box centre and size, four points
 constexpr double kMostLogit = 100.0;
 constexpr double kSamePerson = 0.3;  // intersection over union
 constexpr double kMargin = 1.25;     // of the region around the body
@@ -31,7 +31,7 @@ double overlap(const Detection& a, const Detection& b) {
 
 // Numbers are in pixels of the network's input, around the anchor.
 Detection decode(const float* numbers, const Vec2& anchor, double score, const ImageRegion& whole) {
-  const auto pair = [&](int k) -> Vec2 { return Vec2(numbers[k], numbers[k + 1]) / kSide; };
+  const auto pair = [&](int k) -> Vec2 { return Vec2(numbers[k], numbers[k + 1]) / kDetectorSide; };
   Detection d;
   d.score = score;
   const Vec2 middle = anchor + pair(0), half = 0.5 * pair(2);
@@ -59,7 +59,7 @@ std::vector<Detection> decode_all(std::span<const float> numbers, std::span<cons
         const double logit = std::clamp<double>(logits[k], -kMostLogit, kMostLogit);
         const double score = 1.0 / (1.0 + std::exp(-logit));
         if (!(score >= min_score)) continue;
-        const Detection d = decode(&numbers[k * kNumbers], anchor, score, whole);
+        const Detection d = decode(&numbers[k * kAnchorNumbers], anchor, score, whole);
         if (is_finite(d)) found.push_back(d);
       }
     }
@@ -111,7 +111,7 @@ std::vector<Detection> detect_people(const RgbImage& image, Inference& detector,
   ImageRegion whole;
   whole.centre_px = {0.5 * image.width_px, 0.5 * image.height_px};
   whole.size_px = std::max(image.width_px, image.height_px);
-  sample_region(image, whole, Border::kBlack, kSide, 2.0f, -1.0f, detector.input());
+  sample_region(image, whole, Border::kBlack, kDetectorSide, 2.0f, -1.0f, detector.input());
   detector.run();
   return suppress(decode_all(detector.output(0), detector.output(1), whole, min_score));
 }

@@ -17,6 +17,7 @@ constexpr int kReach = 3;  // of the refinement, in cells
 constexpr double kLeastHeat = 0.5;
 constexpr int kMiddle = 33, kEnd = 34;  // auxiliary: of the body's region
 constexpr double kLeastRegion_px = 4.0;
+constexpr double kMostRegion_px = 1e6;
 
 double sigmoid(double logit) {
   return 1.0 / (1.0 + std::exp(-logit));
@@ -54,7 +55,8 @@ Vec2 PersonPose::torso_px() const {
 
 std::optional<PersonPose> find_landmarks(const RgbImage& image, const ImageRegion& region,
                                          Inference& network, double min_score) {
-  if (!(region.size_px >= kLeastRegion_px) || !region.centre_px.allFinite()) return std::nullopt;
+  const bool sized = region.size_px >= kLeastRegion_px && region.size_px <= kMostRegion_px;
+  if (!sized || !(region.centre_px.norm() < 1e9)) return std::nullopt;
   sample_region(image, region, Border::kRepeated, kInputSide_px, 1.0f, 0.0f, network.input());
   network.run();
   const auto marks = network.output(0), flag = network.output(1), heat = network.output(2),

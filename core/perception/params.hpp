@@ -29,6 +29,9 @@ struct PerceptionParams {
   double lateral_noise_m = 0.02;
   double range_noise_ratio = 0.016;
   double yaw_noise_rad = 0.14;
+  double torso_half_depth_m = 0.11;
+  double depth_noise_m = 0.04;
+  double depth_agreement_ratio = 0.3;
   // Filter.
   double steady_density_m2_s3 = 0.1;
   double manoeuvre_density_m2_s3 = 5.0;

@@ -18,16 +18,26 @@ double yaw_from_shoulders(const Vec3& left, const Vec3& right) {
 }
 
 // Across the line of sight the noise is that of the joints; along it it grows with the range,
-// because range comes from apparent size.
-Mat3 position_noise(const Vec3& sight_m, const PerceptionParams& params) {
-  const double along_m = params.range_noise_ratio * sight_m.norm();
+// because range comes from apparent size, unless a depth image gave it.
+Mat3 position_noise(const Vec3& sight_m, bool by_depth, const PerceptionParams& params) {
+  const double along_m =
+      by_depth ? params.depth_noise_m : params.range_noise_ratio * sight_m.norm();
   const Vec3 direction = sight_m.normalized();
   return Mat3::Identity() * params.lateral_noise_m * params.lateral_noise_m +
          along_m * along_m * direction * direction.transpose();
 }
 
+// How many times farther than the landmarks say a depth image puts the torso; 0: not to be
+// believed, or there is none (NaN).
+double depth_correction(const Vec3& torso_camera_m, double surface_m,
+                        const PerceptionParams& params) {
+  const double ratio = (surface_m + params.torso_half_depth_m) / torso_camera_m.z();
+  return std::abs(ratio - 1.0) <= params.depth_agreement_ratio ? ratio : 0.0;
+}
+
 bool measure_landmarks(const TargetObservation& observation, const VehicleHistory& vehicle,
-                       const PerceptionParams& params, PerceptionResult& result) {
+                       double torso_depth_m, const PerceptionParams& params,
+                       PerceptionResult& result) {
   const auto refuse = [&](PerceptionStatus status) { return result.status = status, false; };
   if (visible_count(observation.landmarks, params) < params.min_landmarks)
     return refuse(PerceptionStatus::kTooFewLandmarks);
@@ -38,16 +48,21 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
 
   const Pose T_world_camera = at_image->T_world_body() * observation.camera.T_body_camera;
   const double scale = params.target_height_m / params.landmark_height_m;
-  const auto joint_enu_m = [&](TorsoJoint joint) -> Vec3 {
-    return T_world_camera * body->joint_camera_m(scale * observation.landmarks[joint].body_m);
+  const auto joint_camera_m = [&](TorsoJoint joint) -> Vec3 {
+    return body->joint_camera_m(scale * observation.landmarks[joint].body_m);
   };
-  const Vec3 left = joint_enu_m(kLeftShoulder), right = joint_enu_m(kRightShoulder);
+  const Vec3 left_m = joint_camera_m(kLeftShoulder), right_m = joint_camera_m(kRightShoulder);
+  Vec3 torso_camera_m =
+      0.25 * (left_m + right_m + joint_camera_m(kLeftHip) + joint_camera_m(kRightHip));
+  const double farther = depth_correction(torso_camera_m, torso_depth_m, params);
+  if (farther > 0.0) torso_camera_m *= farther;
   TorsoMeasurement& m = result.measured;
-  m.position_enu_m = 0.25 * (left + right + joint_enu_m(kLeftHip) + joint_enu_m(kRightHip));
+  m.position_enu_m = T_world_camera * torso_camera_m;
   const double noise = body->noise_scale * body->noise_scale;
-  m.covariance_m2 = noise * position_noise(m.position_enu_m - T_world_camera.translation(), params);
+  const Vec3 sight_m = T_world_camera.linear() * torso_camera_m;
+  m.covariance_m2 = noise * position_noise(sight_m, farther > 0.0, params);
   if (body->used[kLeftShoulder] && body->used[kRightShoulder])
-    m.yaw_rad = yaw_from_shoulders(left, right);
+    m.yaw_rad = yaw_from_shoulders(T_world_camera * left_m, T_world_camera * right_m);
   m.yaw_variance_rad2 = noise * params.yaw_noise_rad * params.yaw_noise_rad;
   result.used_landmarks = body->used_count;
   result.reprojection_rms_px = body->reprojection_rms_px;
@@ -144,11 +159,12 @@ std::string_view to_string(PerceptionStatus status) {
 }
 
 PerceptionResult perceive(PerceptionState& state, const TargetObservation& observation,
-                          const VehicleHistory& vehicle, const PerceptionParams& params) {
+                          const VehicleHistory& vehicle, const PerceptionParams& params,
+                          double torso_depth_m) {
   PerceptionResult result;
   result.measured.stamp_s = observation.stamp_s;
   const bool measured = observation.kind == TargetObservation::Kind::kLandmarks
-                            ? measure_landmarks(observation, vehicle, params, result)
+                            ? measure_landmarks(observation, vehicle, torso_depth_m, params, result)
                             : measure_position(observation, result);
   if (measured && is_valid(result.measured)) filter(state, params, result);
   const double newest_s = state.count > 0 ? state.entries[state.count - 1].estimate.stamp_s : 0.0;

@@ -47,9 +47,12 @@ struct PerceptionResult {
 
 /// Landmarks → pose of the body in the camera → torso joints 11, 12, 23, 24 in the world by the
 /// vehicle's pose at the image's stamp → filter. Measurements may come late by reorder_limit_s.
+/// `torso_depth_m`: of the torso's surface along the optical axis, by a depth image of the same
+/// instant (torso_surface_depth_m); it corrects the range of landmarks. NaN: none.
 /// Cost: about 40 µs; a late measurement adds 2 µs for each newer one. Allocates nothing.
 PerceptionResult perceive(PerceptionState& state, const TargetObservation& observation,
-                          const VehicleHistory& vehicle, const PerceptionParams& params);
+                          const VehicleHistory& vehicle, const PerceptionParams& params,
+                          double torso_depth_m = std::numeric_limits<double>::quiet_NaN());
 
 /// The estimate at now_s: the covariance grows with the age of the last accepted measurement, and
 /// the status goes from tracking to coasting to lost. Before the newest measurement: as at it.

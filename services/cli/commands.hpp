@@ -14,7 +14,7 @@ struct Command {
   std::function<int()> (*prepare)(CLI::App& app);
 };
 
-/// Those that need no DDS: fly, bench, params, scenarios.
+/// Those that need no DDS: fly, bench, perceive, params, scenarios.
 std::vector<Command> flight_commands();
 
 /// Those that speak DDS; none in a build without it.
@@ -25,6 +25,7 @@ std::vector<Command> operator_commands();
 
 std::function<int()> prepare_fly(CLI::App& app);
 std::function<int()> prepare_bench(CLI::App& app);
+std::function<int()> prepare_perceive(CLI::App& app);
 std::function<int()> prepare_params(CLI::App& app);
 std::function<int()> prepare_scenarios(CLI::App& app);
 std::function<int()> prepare_up(CLI::App& app);

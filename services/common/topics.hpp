@@ -26,6 +26,10 @@ struct ColorImage {
   using Type = sensor_msgs::msg::Image;
   static constexpr TopicInfo info{"camera/color/image", Scope::kVehicle, "image"};
 };
+struct ColorCameraInfo {
+  using Type = sensor_msgs::msg::CameraInfo;
+  static constexpr TopicInfo info{"camera/color/camera_info", Scope::kVehicle, "sensor"};
+};
 struct Odometry {
   using Type = nav_msgs::msg::Odometry;
   static constexpr TopicInfo info{"odometry", Scope::kVehicle, "state"};
@@ -148,12 +152,13 @@ struct Px4VehicleCommand {
 };
 
 /// All of them, for the tests and the monitor.
-using All = std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, Odometry, Clock,
-                       TargetState, LocalMap, OctoMap, MapPoints, TargetIntention, TargetPrediction,
-                       PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
-                       PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
-                       TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
-                       Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
-                       Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+using All =
+    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorCameraInfo,
+               Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
+               TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
+               PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
+               TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
+               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
+               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

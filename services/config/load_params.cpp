@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "services/config/yaml_reader.hpp"
+#include "services/yaml/yaml_reader.hpp"
 #include "services/share/share.hpp"
 
 namespace foretrack {

@@ -10,7 +10,7 @@
 
 #include "core/common/random.hpp"
 #include "services/config/octree_world.hpp"
-#include "services/config/yaml_reader.hpp"
+#include "services/yaml/yaml_reader.hpp"
 #include "services/share/share.hpp"
 
 namespace foretrack {

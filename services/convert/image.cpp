@@ -69,6 +69,16 @@ Converted<CameraModel> from_idl(const sensor_msgs::msg::CameraInfo& in, const Po
   return checks.result(out);
 }
 
+void to_idl(const RgbImage& in, double stamp_s, sensor_msgs::msg::Image& out) {
+  set_header(out.header(), stamp_s, kCameraFrame);
+  out.width(static_cast<std::uint32_t>(in.width_px));
+  out.height(static_cast<std::uint32_t>(in.height_px));
+  out.encoding("rgb8");
+  out.is_bigendian(0);
+  out.step(3 * out.width());
+  out.data() = in.rgb;
+}
+
 void to_idl(const DepthImage& in, sensor_msgs::msg::Image& out) {
   set_header(out.header(), in.stamp_s, kCameraFrame);
   out.width(in.camera.width_px);

@@ -110,6 +110,12 @@ void to_idl(const TargetObservation& in, foretrack_msgs::msg::TargetObservation&
   set_body_yaw(in, out);
 }
 
+void to_idl_nobody(double stamp_s, foretrack_msgs::msg::TargetObservation& out) {
+  out = {};
+  set_header(out.header(), stamp_s);
+  out.kind(kinds::KIND_NONE);
+}
+
 bool sees_nobody(const foretrack_msgs::msg::TargetObservation& in) {
   return in.kind() == kinds::KIND_NONE;
 }

@@ -1,6 +1,8 @@
 #include "services/perception/perception_service.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "services/convert/target.hpp"
 #include "services/convert/visual.hpp"
@@ -14,6 +16,7 @@ constexpr std::size_t kMaxWaiting = 8;
 constexpr double kDrawPeriod_s = 0.1;
 constexpr double kVehicleStale_s = 0.5;
 constexpr double kRestart_s = 1.0;
+constexpr double kOwnImages_s = 1.0;  // while there are some, observations of others do not count
 
 }  // namespace
 
@@ -22,18 +25,38 @@ PerceptionService::PerceptionService(Service& service, const PerceptionParams& p
       params_(params),
       vehicle_(service, [this] { perceive_waiting(); }),
       observation_(service.node()),
+      seen_(service.node()),
       target_(service.node()),
-      markers_(service.node()) {
+      markers_(service.node()),
+      images_(service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); }) {
   service.loop().on_each(observation_, [this](const auto& message) { take(message); });
   service.loop().every(kCoastPeriod_s, [this] { coast_if_silent(); });
 }
 
 void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& message) {
+  // Its own ones come back, too.
+  if (service_.clock().now_s() - looked_s_ < kOwnImages_s) return;
   if (sees_nobody(message)) return;
   const auto observation = from_idl(message);
   if (!observation) return observation_.refuse(observation.fault());
+  wait_for_odometry(*observation, std::numeric_limits<double>::quiet_NaN());
+}
+
+void PerceptionService::take_seen(const ImageInput::Seen& seen) {
+  looked_s_ = seen.stamp_s;
+  if (seen.observation) {
+    to_idl(*seen.observation, seen_.sample());
+    wait_for_odometry(*seen.observation, seen.torso_depth_m);
+  } else {
+    to_idl_nobody(seen.stamp_s, seen_.sample());
+  }
+  seen_.write();
+}
+
+void PerceptionService::wait_for_odometry(const TargetObservation& observation,
+                                          double torso_depth_m) {
   if (waiting_.size() == kMaxWaiting) waiting_.pop_front();
-  waiting_.push_back({*observation, service_.clock().now_s()});
+  waiting_.push_back({observation, service_.clock().now_s(), torso_depth_m});
   perceive_waiting();
 }
 
@@ -41,11 +64,11 @@ void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& messa
 void PerceptionService::perceive_waiting() {
   const double now_s = service_.clock().now_s();
   for (; !waiting_.empty(); waiting_.pop_front()) {
-    const auto& [observation, arrived_s] = waiting_.front();
+    const auto& [observation, arrived_s, torso_depth_m] = waiting_.front();
     const VehicleState* vehicle = vehicle_.newest();
     const bool covered = vehicle && vehicle->stamp_s >= observation.stamp_s;
     if (!covered && now_s - arrived_s < kPoseWait_s) return;
-    const auto result = perceive(state_, observation, vehicle_.history(), params_);
+    const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
     if (result.status == PerceptionStatus::kGated) ++gated_;
     delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
     if (result.target.stamp_s > published_s_) publish(result.target);
@@ -56,10 +79,11 @@ void PerceptionService::coast_if_silent() {
   perceive_waiting();
   const double now_s = service_.clock().now_s();
   const bool seeing = vehicle_.age_s(now_s) < kVehicleStale_s;
-  service_.health().set_degraded(seeing ? "" : "no odometry");
+  service_.health().set_degraded(seeing ? images_.trouble() : "no odometry");
   if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
     state_ = {};
     published_s_ = -1.0;
+    looked_s_ = -1e9;
   }
   const double to_s = now_s - delay_s_;
   if (to_s - published_s_ < 1.5 * kCoastPeriod_s) return;

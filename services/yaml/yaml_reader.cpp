@@ -1,4 +1,4 @@
-#include "services/config/yaml_reader.hpp"
+#include "services/yaml/yaml_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

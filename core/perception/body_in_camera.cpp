@@ -1,0 +1,25 @@
+#include "core/perception/body_in_camera.hpp"
+
+#include "core/perception/body_pose.hpp"
+
+namespace foretrack {
+
+std::optional<BodyInCamera> locate_body(const PersonPose& person, const CameraModel& camera,
+                                        const PerceptionParams& params) {
+  const TargetObservation observation = to_observation(person, 0.0, camera, params);
+  const auto pose = estimate_body_pose(observation.landmarks, camera, params);
+  if (!pose) return std::nullopt;
+  const double scale = params.target_height_m / params.landmark_height_m;
+  const auto joint = [&](TorsoJoint j) -> Vec3 {
+    return pose->joint_camera_m(scale * observation.landmarks[j].body_m);
+  };
+  const Vec3 left = joint(kLeftShoulder), right = joint(kRightShoulder);
+  BodyInCamera body;
+  body.torso_camera_m = 0.25 * (left + right + joint(kLeftHip) + joint(kRightHip));
+  // Ahead is z, to the left is −x; the chest is a quarter turn clockwise of right → left shoulder.
+  const Vec3 across = left - right;
+  body.yaw_rad = std::atan2(-across.z(), -across.x());
+  return body;
+}
+
+}  // namespace foretrack

@@ -1,0 +1,27 @@
+#include "core/perception/expected_place.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kSigmas = 3.0;
+constexpr double kHalfBody_m = 0.5;
+constexpr double kNowhere_px = -1e6;
+
+}  // namespace
+
+std::optional<ExpectedPlace> expected_place(const PerceptionState& state,
+                                            const VehicleHistory& vehicle,
+                                            const CameraModel& camera, double stamp_s,
+                                            const PerceptionParams& params) {
+  const TargetState target = coast(state, stamp_s, params);
+  const auto at_image = vehicle.at(stamp_s);
+  if (!target.usable() || !at_image) return std::nullopt;
+  const Pose T_world_camera = at_image->T_world_body() * camera.T_body_camera;
+  const Vec3 torso_camera_m = T_world_camera.inverse() * target.position_enu_m;
+  const auto px = camera.project(torso_camera_m);
+  if (!px) return ExpectedPlace{{kNowhere_px, kNowhere_px}, 0.0};
+  const double sigma_m = std::sqrt(target.covariance.diagonal().head<3>().maxCoeff());
+  return ExpectedPlace{*px, camera.fx_px * (kSigmas * sigma_m + kHalfBody_m) / torso_camera_m.z()};
+}
+
+}  // namespace foretrack

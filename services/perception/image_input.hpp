@@ -1,0 +1,67 @@
+// Colour and depth images in, observations of the person out.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/perception/perceive.hpp"
+#include "core/perception/perceive_image.hpp"
+#include "sensor_msgs/msg/CameraInfo.h"
+#include "sensor_msgs/msg/Image.h"
+#include "services/convert/color_image.hpp"
+#include "services/onboard/inputs.hpp"
+#include "tf2_msgs/msg/TFMessage.h"
+
+namespace foretrack {
+
+/// The pose network is loaded when the first image comes. Without its files images are refused, and
+/// trouble() says how to get them; they are looked for again every few seconds. Only the newest
+/// image is looked at, and none that is older than kStale_s.
+class ImageInput {
+ public:
+  /// What one image says; `observation` is none if nobody is in it.
+  struct Seen {
+    double stamp_s = 0.0;
+    const TargetObservation* observation = nullptr;
+    double torso_depth_m = 0.0;  // NaN: not measured
+  };
+  using Callback = std::function<void(const Seen&)>;
+
+  /// `track` and `vehicle` say where the person is expected; they outlive this.
+  ImageInput(Service& service, const PerceptionParams& params, const PerceptionState& track,
+             const VehicleInput& vehicle, Callback callback);
+
+  /// Why images are of no use now; empty: they are, or none come.
+  const std::string& trouble() const { return trouble_; }
+
+ private:
+  void take_mount(const tf2_msgs::msg::TFMessage& message);
+  void take(const sensor_msgs::msg::Image& message);
+  bool load_network();
+  void look(double stamp_s);
+  double torso_depth_m(const TargetObservation& observation);
+
+  Service& service_;
+  PerceptionParams params_;
+  const PerceptionState& track_;
+  const VehicleInput& vehicle_;
+  Callback callback_;
+  Reader<topics::StaticTransforms> mount_;
+  Reader<topics::ColorCameraInfo> info_;
+  Reader<topics::ColorImage> image_;
+  // Only where there are colour images: depth images are big.
+  std::optional<Reader<topics::DepthCameraInfo>> depth_info_;
+  std::optional<Reader<topics::DepthImage>> depth_image_;
+  Pose T_body_camera_ = CameraModel::default_mount();
+  std::optional<CameraWithLens> camera_;
+  std::optional<CameraModel> depth_camera_;
+  std::optional<PoseNetwork> network_;
+  PoseState pose_;
+  RgbImage rgb_;
+  DepthImage depth_;
+  TargetObservation observation_;
+  std::string trouble_;
+  double next_load_s_ = -1e9;
+};
+
+}  // namespace foretrack

@@ -1,0 +1,206 @@
+#include "core/perception/perceive_image.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/perception/detect_people.hpp"
+#include "tests/core/perception/fake_network.hpp"
+
+namespace foretrack {
+namespace {
+
+using testing::grey_image;
+
+class PerceiveImage : public ::testing::Test {
+ protected:
+  PoseResult look(double stamp_s, const std::optional<ExpectedPlace>& expected = {}) {
+    return perceive_image(state_, image_, stamp_s, fake_.network, params_, expected);
+  }
+  testing::FakePoseNetwork fake_;
+  PoseState state_;
+  PerceptionParams params_;
+  RgbImage image_ = grey_image(400, 400);
+};
+
+TEST_F(PerceiveImage, DetectsOnceAndThenTracksWithoutTheDetector) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  EXPECT_EQ(look(0.0).status, PoseStatus::kDetected);
+  for (int k = 1; k < 5; ++k) EXPECT_EQ(look(0.03 * k).status, PoseStatus::kTracked);
+  EXPECT_EQ(fake_.detector->runs, 1);
+  EXPECT_EQ(fake_.landmarks->runs, 5);
+}
+
+TEST_F(PerceiveImage, TheRegionOfADetectionHoldsTheBodyUprightAndAQuarterMore) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  const auto result = look(0.0);
+  ASSERT_TRUE(result.found());
+  EXPECT_NEAR(result.person.region.size_px, 2.0 * 0.3 * 1.25 * 400, 0.1);
+  EXPECT_NEAR(result.person.region.angle_rad, 0.0, 1e-6);
+  EXPECT_NEAR(result.person.region.centre_px.x(), 160.0, 0.1);
+  EXPECT_NEAR(result.person.region.centre_px.y(), 400 * (0.5 + 0.25 * 0.3), 0.1);
+}
+
+TEST_F(PerceiveImage, TheDetectorRunsNoMoreOftenThanItsPeriod) {
+  params_.detector_period_s = 0.2;
+  int looked = 0;
+  for (int k = 0; k < 30; ++k) looked += look(k / 30.0).status == PoseStatus::kNobody;
+  EXPECT_EQ(looked, 5);
+  EXPECT_EQ(fake_.detector->runs, 5);
+}
+
+TEST_F(PerceiveImage, AnEmptyRegionIsLeftForTheDetectorAtOnce) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  look(0.0);
+  fake_.answer_person(0.2);
+  EXPECT_EQ(look(0.3).status, PoseStatus::kNobody);
+  EXPECT_EQ(fake_.detector->runs, 2);
+  EXPECT_FALSE(state_.region);
+}
+
+TEST_F(PerceiveImage, ATorsoThatJumpsIsSomebodyElse) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  look(0.0);
+  fake_.answer_person(0.99, {0.45, 0.0});
+  EXPECT_NE(look(0.03).status, PoseStatus::kTracked);
+}
+
+TEST_F(PerceiveImage, TheFirstTimeTheMostCertainPersonIsChosenAndTheDoubtIsSaid) {
+  fake_.see({0.2, 0.5}, 0.2, 1.0);
+  fake_.see({0.8, 0.5}, 0.2, 3.0);
+  const auto result = look(0.0);
+  EXPECT_NEAR(result.person.region.centre_px.x(), 320.0, 1.0);
+  EXPECT_EQ(result.candidates, 2);
+  EXPECT_TRUE(result.ambiguous);
+}
+
+TEST_F(PerceiveImage, ALostPersonIsFoundAgainByPlaceNotByCertainty) {
+  fake_.see({0.2, 0.5}, 0.2, 1.0);
+  look(0.0);
+  fake_.answer_person(0.1);
+  look(0.03);
+  fake_.answer_person();
+  fake_.see({0.8, 0.5}, 0.2, 5.0);
+  const auto result = look(0.5);
+  ASSERT_EQ(result.status, PoseStatus::kDetected);
+  EXPECT_NEAR(result.person.region.centre_px.x(), 80.0, 1.0);
+  EXPECT_FALSE(result.ambiguous);
+}
+
+TEST_F(PerceiveImage, SomebodyElseOutsideTheGateIsNotTaken) {
+  fake_.see({0.1, 0.5}, 0.1, 1.0);
+  look(0.0);
+  fake_.see_nobody();
+  fake_.answer_person(0.1);
+  look(0.03);
+  fake_.answer_person();
+  fake_.see({0.9, 0.5}, 0.1, 5.0);
+  const auto result = look(0.5);
+  EXPECT_EQ(result.status, PoseStatus::kNobody);
+  EXPECT_EQ(result.candidates, 1);
+  EXPECT_EQ(look(0.5 + params_.choice_memory_s).status, PoseStatus::kDetected);
+}
+
+TEST_F(PerceiveImage, TheExpectedPlaceDecidesAndItsGateHolds) {
+  fake_.see({0.2, 0.5}, 0.2, 5.0);
+  fake_.see({0.8, 0.5}, 0.2, 1.0);
+  const auto there = look(0.0, ExpectedPlace{{310.0, 200.0}, 60.0});
+  ASSERT_TRUE(there.found());
+  EXPECT_NEAR(there.person.region.centre_px.x(), 320.0, 1.0);
+  state_ = {};
+  EXPECT_FALSE(look(1.0, ExpectedPlace{{200.0, 200.0}, 60.0}).found());
+}
+
+TEST_F(PerceiveImage, TimeThatGoesBackStartsAnew) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  look(10.0);
+  EXPECT_EQ(look(1.0).status, PoseStatus::kDetected);
+}
+
+TEST_F(PerceiveImage, BadImagesAreRefusedAndTheTrackStays) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  look(0.0);
+  const RgbImage good = image_;
+  for (const auto& [width, height] : {std::pair{0, 0}, {400, 399}, {-1, 400}, {100000, 1}}) {
+    image_.width_px = width;
+    image_.height_px = height;
+    EXPECT_EQ(look(0.01).status, PoseStatus::kBadImage);
+  }
+  image_ = good;
+  EXPECT_EQ(look(0.03).status, PoseStatus::kTracked);
+}
+
+TEST_F(PerceiveImage, AnImageOfOnePixelIsLookedAt) {
+  image_ = grey_image(1, 1);
+  EXPECT_EQ(look(0.0).status, PoseStatus::kNobody);
+}
+
+TEST_F(PerceiveImage, NoNaNComesOutOfANetworkThatGivesNaN) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  fake_.landmarks->answer(3)[7] = nan;
+  EXPECT_FALSE(look(0.0).found());
+  fake_.landmarks->answer(3)[7] = 0.0f;
+  for (float& heat : fake_.landmarks->answer(2)) heat = nan;
+  const auto result = look(1.0);
+  ASSERT_TRUE(result.found());
+  for (const auto& landmark : result.person.landmarks) EXPECT_TRUE(landmark.image_px.allFinite());
+  for (float& number : fake_.detector->answer(0)) number = nan;
+  EXPECT_TRUE(detect_people(image_, *fake_.detector, 0.5).empty());
+}
+
+TEST(DetectPeople, OverlappingBoxesAreAveragedByTheirScores) {
+  testing::FakePoseNetwork fake;
+  fake.see({0.49, 0.5}, 0.3, 3.0);
+  fake.see({0.55, 0.5}, 0.3, 1.0);
+  const auto people = detect_people(grey_image(400, 400), *fake.detector, 0.5);
+  ASSERT_EQ(people.size(), 1u);
+  const double a = 1.0 / (1.0 + std::exp(-3.0)), b = 1.0 / (1.0 + std::exp(-1.0));
+  EXPECT_NEAR(people[0].points_px[0].x(), 400.0 * (0.49 * a + 0.55 * b) / (a + b), 0.01);
+  EXPECT_NEAR(people[0].score, a, 1e-6);
+}
+
+TEST(DetectPeople, PointsAreInThePixelsOfAWideImage) {
+  testing::FakePoseNetwork fake;
+  fake.see({0.5, 0.5}, 0.1, 3.0);
+  const auto people = detect_people(grey_image(800, 400), *fake.detector, 0.5);
+  ASSERT_EQ(people.size(), 1u);
+  EXPECT_NEAR(people[0].points_px[2].x(), 400.0, 0.01);
+  EXPECT_NEAR(people[0].points_px[2].y(), 200.0 + 800 * (0.025 - 0.05), 0.01);
+}
+
+TEST(RegionOfBody, IsTurnedSoThatTheBodyIsUpright) {
+  const auto region = region_of_body({100, 100}, {140, 100});  // the head is to the right
+  EXPECT_NEAR(region.size_px, 100.0, 1e-9);
+  EXPECT_NEAR(region.angle_rad, kPi / 2.0, 1e-9);
+  const Vec2 top = region.image_px({0.5, 0.0});
+  EXPECT_NEAR(top.x(), 150.0, 1e-9);
+  EXPECT_NEAR(top.y(), 100.0, 1e-9);
+}
+
+TEST(FindLandmarks, HeatMovesALandmarkToItsCentre) {
+  testing::FakePoseNetwork fake;
+  const auto image = grey_image(64, 64);
+  const ImageRegion whole{{32, 32}, 64, 0.0};
+  auto& heat = fake.landmarks->answer(2);
+  for (const auto& [row, column] : {std::pair{30, 30}, {31, 32}})
+    heat[(row * 64 + column) * 39 + kLeftHip] = 20.0f;
+  fake.landmarks->answer(0)[5 * kLeftHip] = fake.landmarks->answer(0)[5 * kLeftHip + 1] = 124.0f;
+  const auto person = find_landmarks(image, whole, *fake.landmarks, 0.5);
+  ASSERT_TRUE(person);
+  EXPECT_NEAR(person->landmarks[kLeftHip].image_px.x(), 31.0, 0.02);
+  EXPECT_NEAR(person->landmarks[kLeftHip].image_px.y(), 30.5, 0.02);
+}
+
+TEST(FindLandmarks, WorldPointsTurnWithTheRegion) {
+  testing::FakePoseNetwork fake;
+  fake.landmarks->answer(3)[0] = 1.0f;
+  fake.landmarks->answer(3)[2] = 0.5f;
+  const auto person =
+      find_landmarks(grey_image(64, 64), {{32, 32}, 64, kPi / 2.0}, *fake.landmarks, 0.5);
+  ASSERT_TRUE(person);
+  EXPECT_NEAR((person->landmarks[0].body_m - Vec3(0.0, 1.0, 0.5)).norm(), 0.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace foretrack
