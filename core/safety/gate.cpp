@@ -16,14 +16,11 @@ struct Rung {
 };
 
 void take_command(GateState& s, const GateInput& in, const SafetyParams& p) {
-  if (p.start_on_launch && !s.launched) s.phase = MissionPhase::kTracking;
+  if (p.start_on_launch && !s.launched) s.mission.phase = MissionPhase::kTracking;
   s.launched = true;
   if (!in.command) return;
-  const auto [phase, result] =
-      apply(*in.command, s.phase, s.last_command_id, in.now_s, p.command_max_age_s);
-  s.phase = phase;
-  s.last_result = result;
-  if (in.command->id > s.last_command_id) s.last_command_id = in.command->id;
+  s.last_command = *in.command;
+  s.last_result = apply(*in.command, s.mission, in.now_s, {p.command_max_age_s, p.lease_s});
 }
 
 void start_next(GateState& s, double now_s) {
@@ -66,7 +63,7 @@ Rung choose_rung(GateState& s, const GateInput& in, const GateResult& r, const S
     return {SafetyMode::kSilent, SafetyReason::kVehicleStale};
   if (in.autopilot.stamp_s < 0.0 || in.now_s - in.autopilot.stamp_s > p.autopilot_stale_s)
     return {SafetyMode::kSilent, SafetyReason::kAutopilotStale};
-  switch (s.phase) {
+  switch (s.mission.phase) {
     case MissionPhase::kIdle:
     case MissionPhase::kReturning:
     case MissionPhase::kLanding:
@@ -83,7 +80,7 @@ Rung choose_rung(GateState& s, const GateInput& in, const GateResult& r, const S
 // A heartbeat with nothing behind it would hide a dead planner from the flight controller for ever.
 bool has_waited_too_long(GateState& s, const GateInput& in, const SafetyParams& p) {
   const double alive_s = std::max(s.last_plan_s, s.idle_since_s);
-  return s.phase == MissionPhase::kTracking && in.now_s - alive_s > p.hover_limit_s;
+  return s.mission.phase == MissionPhase::kTracking && in.now_s - alive_s > p.hover_limit_s;
 }
 
 // The vehicle tilts late: it is told the acceleration that it shall have when it will have tilted.
@@ -131,8 +128,8 @@ AutopilotRequest choose_request(GateState& s, const GateInput& in, const GateRes
                                 const SafetyParams& p) {
   if (in.now_s - s.last_request_s < p.request_period_s) return AutopilotRequest::kNone;
   AutopilotRequest request = AutopilotRequest::kNone;
-  if (s.phase == MissionPhase::kReturning) request = AutopilotRequest::kReturn;
-  if (s.phase == MissionPhase::kLanding) request = AutopilotRequest::kLand;
+  if (s.mission.phase == MissionPhase::kReturning) request = AutopilotRequest::kReturn;
+  if (s.mission.phase == MissionPhase::kLanding) request = AutopilotRequest::kLand;
   if (r.heartbeat && !in.autopilot.offboard) request = AutopilotRequest::kOffboard;
   if (r.heartbeat && !in.autopilot.armed) request = AutopilotRequest::kArm;
   if (request != AutopilotRequest::kNone) s.last_request_s = in.now_s;
@@ -154,6 +151,8 @@ ParamRows rows(SafetyParams& p) {
       {"brake_done_m_s", &p.brake_done_m_s, "m/s", 0.05, 1.0,
        "below this speed a position is held"},
       {"command_max_age_s", &p.command_max_age_s, "s", 0.1, 10.0, "older commands are refused"},
+      {"lease_s", &p.lease_s, "s", 1.0, 60.0,
+       "an operator's lease ends that long after it was last renewed"},
       {"request_period_s", &p.request_period_s, "s", 0.1, 5.0,
        "between requests to arm or to enter offboard mode"},
       {"response_s", &p.response_s, "s", 0.0, 1.0,
@@ -189,9 +188,9 @@ GateResult gate(GateState& state, const GateInput& in, const SafetyParams& param
   }
   r.mode = mode;
   r.reason = reason;
-  r.phase = state.phase;
+  r.phase = state.mission.phase;
   r.command_result = state.last_result;
-  r.command_id = state.last_command_id;
+  r.command_id = state.last_command.id;
   r.plan_age_s = state.last_plan_s < 0.0 ? -1.0 : in.now_s - state.last_plan_s;
   r.plan_id = state.has_flown ? state.flown.id : 0;
   return r;

@@ -44,6 +44,7 @@ struct SafetyParams {
   double max_deviation_m = 1.0;
   double brake_done_m_s = 0.2;
   double command_max_age_s = 1.0;
+  double lease_s = 5.0;
   double request_period_s = 0.5;
   double response_s = 0.1;
   bool start_on_launch = true;
@@ -69,8 +70,8 @@ struct GateState {
   std::optional<Vec3> hover_enu_m;
   double hover_yaw_rad = 0.0;
   double last_request_s = -1e9;
-  std::uint64_t last_command_id = 0;
-  MissionPhase phase = MissionPhase::kIdle;
+  Mission mission;
+  MissionCommand last_command;
   MissionResult last_result = MissionResult::kNone;
   bool launched = false;
 };
@@ -83,10 +84,10 @@ struct GateResult {
   AutopilotRequest request = AutopilotRequest::kNone;
   MissionPhase phase = MissionPhase::kIdle;
   MissionResult command_result = MissionResult::kNone;
-  std::uint64_t command_id = 0;
-  double plan_age_s = -1.0;   // < 0: no plan yet
-  double deviation_m = 0.0;   // from the flown trajectory
-  std::uint64_t plan_id = 0;  // that is flown
+  std::uint64_t command_id = 0;  // of the last command; 0: none yet
+  double plan_age_s = -1.0;      // < 0: no plan yet
+  double deviation_m = 0.0;      // from the flown trajectory
+  std::uint64_t plan_id = 0;     // that is flown
 };
 
 /// One tick (100 Hz). Precondition: now_s does not fall. Cost: a few microseconds, a copy of a plan

@@ -2,16 +2,38 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace foretrack {
 
-enum class MissionOrder : std::uint8_t { kStart, kHold, kResume, kReturn, kLand, kStop };
+enum class MissionOrder : std::uint8_t {
+  kStart,
+  kHold,
+  kResume,
+  kReturn,
+  kLand,
+  kStop,
+  kLease,    // take the vehicle, or keep it
+  kRelease,  // give it back
+};
 
 struct MissionCommand {
   std::uint64_t id = 0;  // grows; an id that was seen before is ignored
   double stamp_s = 0.0;  // when it was given
   MissionOrder order = MissionOrder::kStart;
+  std::string operator_name = {};  // who gave it
+  std::string lease_id = {};       // known to its holder alone
+};
+
+/// Who may give orders. It runs out unless its holder renews it, so that a vehicle whose operator
+/// is gone can be taken over.
+struct MissionLease {
+  std::string id;  // empty: nobody holds it
+  std::string operator_name;
+  double until_s = -1e9;
+
+  bool is_held(double now_s) const { return !id.empty() && now_s < until_s; }
 };
 
 /// Where the mission stands: the orders move it from one to the next.
@@ -29,7 +51,8 @@ enum class MissionResult : std::uint8_t {
   kAccepted,
   kRefusedLate,
   kRefusedRepeated,
-  kRefusedPhase
+  kRefusedPhase,
+  kRefusedForeign  // somebody else holds the lease
 };
 
 enum class AutopilotRequest : std::uint8_t { kNone, kArm, kOffboard, kReturn, kLand };
@@ -38,13 +61,22 @@ std::string_view to_string(MissionOrder order);
 std::string_view to_string(MissionPhase phase);
 std::string_view to_string(MissionResult result);
 
-/// The phase after the command, and whether it was taken. Stop is always taken, however late; a
-/// stopped mission takes only start, return and land.
-struct MissionTransition {
-  MissionPhase phase;
-  MissionResult result;
+struct MissionRules {
+  double max_age_s = 1.0;  // older commands are refused
+  double lease_s = 5.0;    // a lease lasts that long unless it is renewed
 };
-MissionTransition apply(const MissionCommand& command, MissionPhase phase, std::uint64_t last_id,
-                        double now_s, double max_age_s);
+
+/// The mission as commands find it.
+struct Mission {
+  MissionPhase phase = MissionPhase::kIdle;
+  MissionLease lease;
+  std::uint64_t last_id = 0;  // the highest that was seen
+};
+
+/// Applies the command and says whether it was taken. Stop is always taken, however late and from
+/// whomever; a stopped mission takes only start, return and land. While somebody holds the lease,
+/// orders of others are refused; while nobody does, anybody may order.
+MissionResult apply(const MissionCommand& command, Mission& mission, double now_s,
+                    const MissionRules& rules);
 
 }  // namespace foretrack

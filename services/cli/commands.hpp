@@ -20,7 +20,8 @@ std::vector<Command> flight_commands();
 /// Those that speak DDS; none in a build without it.
 std::vector<Command> service_commands();
 
-/// What an operator uses: up, demo, monitor, topics, doctor, station. Only in a build with DDS.
+/// What an operator uses: up, demo, monitor, topics, doctor, station, record, replay. Only in a
+/// build with DDS.
 std::vector<Command> operator_commands();
 
 std::function<int()> prepare_fly(CLI::App& app);
@@ -34,5 +35,7 @@ std::function<int()> prepare_monitor(CLI::App& app);
 std::function<int()> prepare_topics(CLI::App& app);
 std::function<int()> prepare_doctor(CLI::App& app);
 std::function<int()> prepare_station(CLI::App& app);
+std::function<int()> prepare_record(CLI::App& app);
+std::function<int()> prepare_replay(CLI::App& app);
 
 }  // namespace foretrack

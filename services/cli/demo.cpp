@@ -1,8 +1,11 @@
 // foretrack demo: a flight in simulation, every service in its own process.
 #include "services/operator/demo.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <ctime>
 #include <memory>
@@ -11,8 +14,9 @@
 #include "services/common/options.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
-#include "services/operator/view.hpp"
+#include "services/ground_station/control/tokens.hpp"
 #include "services/launch/domain.hpp"
+#include "services/operator/view.hpp"
 
 namespace foretrack {
 namespace {
@@ -21,11 +25,51 @@ struct DemoArguments {
   DemoOptions options;
   std::string out;
   int domain = -1;
+  bool no_station = false;
   ScenarioOverrides overrides;
 };
 
+constexpr unsigned short kStationPort = 8080;
+
+// The preferred port, or any that is free; somebody else may still take it first.
+unsigned short free_port(unsigned short preferred) {
+  const int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(preferred);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int on = 1;
+  setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  if (bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
+    address.sin_port = 0;
+    bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof address);
+  }
+  socklen_t size = sizeof address;
+  getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size);
+  close(fd);
+  return ntohs(address.sin_port);
+}
+
+// The demo's station may command its simulated vehicle; its token is good for this flight alone.
+void add_station(DemoOptions& options) {
+  const auto port = std::to_string(free_port(kStationPort));
+  const auto tokens = options.folder / "station.tokens";
+  options.page = fmt::format("http://127.0.0.1:{}/#token={}", port,
+                             station::Tokens::load_or_create(tokens).first());
+  options.station =
+      ProcessSpec{"station",
+                  {"station", "--domain", std::to_string(options.spec.domain), "--port", port,
+                   "--enable-control", "--token-file", tokens.string(), "--audit-file",
+                   (options.folder / "station-audit.jsonl").string(), "--recordings",
+                   (options.folder / "recordings").string()}};
+  const auto& params = options.spec.params_file;
+  if (!params.empty())
+    for (const auto& word : {std::string("--params"), params})
+      options.station->arguments.push_back(word);
+}
+
 int run(DemoArguments arguments) {
-  auto& [options, out, domain, overrides] = arguments;
+  auto& [options, out, domain, no_station, overrides] = arguments;
   auto& spec = options.spec;
   if (!spec.params_file.empty()) load_params(spec.params_file);  // throws what is wrong in it
   overrides.map = spec.map == "known" ? MapSource::kKnown : MapSource::kDepth;
@@ -43,6 +87,11 @@ int run(DemoArguments arguments) {
   set_up_logging(is_terminal() && !options.headless ? "off" : "warning");
   fmt::print("{} for {:.0f} s, vehicle {}, DDS domain {}; Ctrl-C ends it early\n",
              options.scenario.name, spec.duration_s, spec.vehicle, spec.domain);
+  if (!no_station) {
+    add_station(options);
+    fmt::print("page: {}\n", options.page);
+  }
+  std::fflush(stdout);
   return run_demo(options);
 }
 
@@ -50,7 +99,7 @@ int run(DemoArguments arguments) {
 
 std::function<int()> prepare_demo(CLI::App& app) {
   auto arguments = std::make_shared<DemoArguments>();
-  auto& [options, out, domain, overrides] = *arguments;
+  auto& [options, out, domain, no_station, overrides] = *arguments;
   app.add_option("--scenario", options.spec.scenario, "Shipped scenario or file")
       ->capture_default_str();
   app.add_option("--for", overrides.duration_s, "Seconds; default: the scenario's")
@@ -61,6 +110,7 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_option("--pedestrian", overrides.pedestrian, "Which pedestrian of the recording");
   app.add_flag("--headless", options.headless, "A line a second instead of a screen");
   app.add_option("--out", out, "Folder; default: flights/<scenario>-<date>");
+  app.add_flag("--no-station", no_station, "Without the ground station and its page");
   app.add_option("--vehicle", options.spec.vehicle, "Vehicle name")->capture_default_str();
   app.add_option("--speed", options.spec.speed, "Simulated seconds in a second")
       ->check(CLI::Range(0.01, 100.0))

@@ -3,13 +3,15 @@
 namespace foretrack {
 
 std::vector<Command> operator_commands() {
-  return {{"demo", "a flight in simulation: start, watch, measure, write down", prepare_demo},
-          {"up", "the simulator and every service, each as its own process", prepare_up},
-          {"monitor", "one vehicle, live, in the terminal", prepare_monitor},
-          {"topics", "every topic: rate, age, writers, readers, mismatches", prepare_topics},
-          {"doctor", "why the vehicle does not move", prepare_doctor},
-          {"station", "the ground station: watch, record and command from a browser",
-           prepare_station}};
+  return {
+      {"demo", "a flight in simulation: start, watch, measure, write down", prepare_demo},
+      {"up", "the simulator and every service, each as its own process", prepare_up},
+      {"monitor", "one vehicle, live, in the terminal", prepare_monitor},
+      {"topics", "every topic: rate, age, writers, readers, mismatches", prepare_topics},
+      {"doctor", "why the vehicle does not move", prepare_doctor},
+      {"station", "the ground station: watch, record and command from a browser", prepare_station},
+      {"record", "every topic to MCAP files", prepare_record},
+      {"replay", "a recording, to the station's page or onto the bus", prepare_replay}};
 }
 
 }  // namespace foretrack

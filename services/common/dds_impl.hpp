@@ -73,6 +73,7 @@ struct Node::Dds {
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
   std::map<std::string, dds::Topic*> topics;
+  std::mutex raw_mutex;  // raw endpoints may be made by several threads
   dds::DataWriter* ros_discovery = nullptr;
   mutable std::mutex error_mutex;
   std::string last_error;

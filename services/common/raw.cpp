@@ -30,6 +30,7 @@ struct QuietWriter : dds::DataWriterListener {
 
 // A topic that another type had, and that nobody uses any more, makes room.
 dds::Topic* topic_of(Node::Dds& node, const RawTopic& topic) {
+  const std::lock_guard lock(node.raw_mutex);
   if (const auto it = node.topics.find(topic.name); it != node.topics.end()) {
     if (it->second->get_type_name() == topic.type) return it->second;
     if (node.participant->delete_topic(it->second) != ReturnCode_t::RETCODE_OK)

@@ -18,6 +18,8 @@ static_assert(o::COMMAND_RESUME == int(MissionOrder::kResume));
 static_assert(o::COMMAND_RETURN == int(MissionOrder::kReturn));
 static_assert(o::COMMAND_LAND == int(MissionOrder::kLand));
 static_assert(o::COMMAND_STOP == int(MissionOrder::kStop));
+static_assert(o::COMMAND_LEASE == int(MissionOrder::kLease));
+static_assert(o::COMMAND_RELEASE == int(MissionOrder::kRelease));
 static_assert(s::MODE_TRACK == int(SafetyMode::kTrack));
 static_assert(s::MODE_COAST == int(SafetyMode::kCoast));
 static_assert(s::MODE_HOVER == int(SafetyMode::kHover));
@@ -49,6 +51,7 @@ static_assert(s::RESULT_ACCEPTED == int(MissionResult::kAccepted));
 static_assert(s::RESULT_REFUSED_LATE == int(MissionResult::kRefusedLate));
 static_assert(s::RESULT_REFUSED_REPEATED == int(MissionResult::kRefusedRepeated));
 static_assert(s::RESULT_REFUSED_PHASE == int(MissionResult::kRefusedPhase));
+static_assert(s::RESULT_REFUSED_FOREIGN == int(MissionResult::kRefusedForeign));
 
 void set_setpoint(const GateReport& in, msg::SafetyState& out) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -94,16 +97,20 @@ void to_idl(const MissionCommand& in, msg::MissionCommand& out) {
   set_header(out.header(), in.stamp_s);
   out.id(in.id);
   out.command(static_cast<std::uint8_t>(in.order));
+  out.operator_id(in.operator_name);
+  out.lease_id(in.lease_id);
 }
 
 Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   Checks checks;
   checks.stamp("header.stamp", in.header().stamp());
-  checks.enumerator("command", in.command(), o::COMMAND_STOP);
+  checks.enumerator("command", in.command(), o::COMMAND_RELEASE);
   if (in.id() == 0) checks.fail("id", "0", "1 or more");
   return checks.result(MissionCommand{.id = in.id(),
                                       .stamp_s = seconds(in.header().stamp()),
-                                      .order = static_cast<MissionOrder>(in.command())});
+                                      .order = static_cast<MissionOrder>(in.command()),
+                                      .operator_name = in.operator_id().c_str(),
+                                      .lease_id = in.lease_id().c_str()});
 }
 
 void to_idl(const GateReport& in, msg::SafetyState& out) {
@@ -124,7 +131,11 @@ void to_idl(const GateReport& in, msg::SafetyState& out) {
   out.heartbeat(r.heartbeat);
   set_setpoint(in, out);
   out.command_id(r.command_id);
+  out.command(static_cast<std::uint8_t>(in.order));
   out.command_result(static_cast<std::uint8_t>(r.command_result));
+  out.operator_id(in.operator_name);
+  out.lease_operator(in.lease_operator);
+  out.lease_remaining_s(in.lease_remaining_s);
 }
 
 Converted<GateReport> from_idl(const msg::SafetyState& in) {
@@ -136,7 +147,9 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   checks.enumerator("reason", in.reason(), s::REASON_MISSION);
   checks.enumerator("phase", in.phase(), s::PHASE_STOPPED);
   checks.enumerator("request", in.request(), s::REQUEST_LAND);
-  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_PHASE);
+  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_FOREIGN);
+  checks.enumerator("command", in.command(), o::COMMAND_RELEASE);
+  checks.within("lease_remaining_s", in.lease_remaining_s(), 1e10);
   checks.within("plan_age_s", in.plan_age_s(), 1e10);
   checks.within("deviation_m", in.deviation_m(), limits::kPosition_m);
   checks.within("odometry_age_s", in.odometry_age_s(), 1e10);
@@ -145,6 +158,10 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   out.stamp_s = seconds(in.header().stamp());
   out.caused_by_s = seconds(in.caused_by());
   out.odometry_age_s = in.odometry_age_s();
+  out.order = static_cast<MissionOrder>(in.command());
+  out.operator_name = in.operator_id().c_str();
+  out.lease_operator = in.lease_operator().c_str();
+  out.lease_remaining_s = in.lease_remaining_s();
   out.autopilot.offboard = in.offboard();
   out.autopilot.armed = in.armed();
   r.mode = static_cast<SafetyMode>(in.mode());

@@ -19,8 +19,11 @@ struct GateReport {
   GateResult result;
   AutopilotStatus autopilot;
   double odometry_age_s = -1.0;
+  MissionOrder order = MissionOrder::kStart;  // the last one, and who gave it
+  std::string operator_name = {};
+  std::string lease_operator = {};  // empty: nobody holds the lease
+  double lease_remaining_s = 0.0;
 };
-/// Keeps out.operator_id.
 void to_idl(const GateReport& report, foretrack_msgs::msg::SafetyState& out);
 Converted<GateReport> from_idl(const foretrack_msgs::msg::SafetyState& in);
 

@@ -1,11 +1,13 @@
 // The station's own view of everything, as JSON: the channel /station/status and GET /api/status.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "services/ground_station/bus/bus.hpp"
+#include "services/ground_station/bus/source.hpp"
 #include "services/ground_station/hub/hub.hpp"
 
 namespace foretrack::station {

@@ -46,6 +46,7 @@ class Demo {
         recorder_(options.scenario) {
     recorder_.attach(listener_.hooks);
     for (auto& process : onboard_processes(options_.spec)) launcher_.add(std::move(process));
+    if (options_.station) launcher_.add(*options_.station);
   }
 
   void fly() {
@@ -99,7 +100,7 @@ bool Demo::onboard_is_ready() {
   const Picture picture = listener_.picture();
   const auto& processes = launcher_.processes();
   const bool all = std::all_of(processes.begin(), processes.end(), [&](const Process& process) {
-    return picture.service(process.spec.name) != nullptr;
+    return !is_onboard(process.spec.name) || picture.service(process.spec.name) != nullptr;
   });
   return all || elapsed_s() > kOnboardPatience_s;
 }
@@ -138,6 +139,7 @@ void Demo::show() {
     return;
   }
   std::string text = draw(picture, view);
+  if (!options_.page.empty()) text += "page       " + options_.page + '\n';
   for (std::size_t i = events_.size() > 4 ? events_.size() - 4 : 0; i < events_.size(); ++i)
     text += events_[i] + '\n';
   screen_->show(text);

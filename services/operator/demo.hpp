@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "core/simulator/scenario.hpp"
 #include "services/launch/flight_processes.hpp"
@@ -13,6 +15,8 @@ struct DemoOptions {
   Scenario scenario;  // that spec names, with its overrides
   std::filesystem::path folder;
   bool headless = false;
+  std::optional<ProcessSpec> station;  // beside the flight
+  std::string page;                    // its address; empty: there is none
 };
 
 /// Returns when the flight is over, or after Ctrl-C. Writes log.csv, metrics.json, summary.json,

@@ -37,10 +37,8 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
     autopilot_ = status;
     autopilot_.stamp_s = service_.clock().now_s();  // its clock need not be ours
   });
-  loop.on_each(order_reader_, [this](const foretrack_msgs::msg::MissionCommand& message) {
-    const auto command = from_idl(message);
-    if (!command) return order_reader_.refuse(command.fault());
-    if (orders_.size() < kMaxOrders) orders_.push_back({*command, message.operator_id().c_str()});
+  loop.on_each(order_reader_, convert, [this](MissionCommand&& command) {
+    if (orders_.size() < kMaxOrders) orders_.push_back(std::move(command));
   });
   loop.every(kTick_s, [this] { tick(); });
 }
@@ -53,12 +51,9 @@ void SafetyGateService::tick() {
   in.vehicle.stamp_s = -1e9;
   if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
   if (plan_) in.plan = &*plan_;
-  if (!orders_.empty()) in.command = &orders_.front().command;
+  if (!orders_.empty()) in.command = &orders_.front();
   const GateResult result = gate(state_, in, params_);
-  if (in.command) {
-    report_.sample().operator_id(orders_.front().operator_id);
-    orders_.pop_front();
-  }
+  if (in.command) orders_.pop_front();
   plan_.reset();
   command_autopilot(result, now_s);
   publish(result, now_s);
@@ -91,7 +86,17 @@ void SafetyGateService::publish(const GateResult& result, double now_s) {
   reported_s_ = now_s;
   const bool flies = result.mode == SafetyMode::kTrack || result.mode == SafetyMode::kCoast;
   const double age_s = vehicle_.newest() ? vehicle_.age_s(now_s) : -1.0;
-  const GateReport report{now_s, flies ? state_.flown.stamp_s : 0.0, result, autopilot_, age_s};
+  const auto& lease = state_.mission.lease;
+  const bool held = lease.is_held(now_s);
+  const GateReport report{now_s,
+                          flies ? state_.flown.stamp_s : 0.0,
+                          result,
+                          autopilot_,
+                          age_s,
+                          state_.last_command.order,
+                          state_.last_command.operator_name,
+                          held ? lease.operator_name : "",
+                          held ? lease.until_s - now_s : 0.0};
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;

@@ -24,10 +24,6 @@ class SafetyGateService {
   SafetyGateService(Service& service, const SafetyParams& params);
 
  private:
-  struct Order {
-    MissionCommand command;
-    std::string operator_id;
-  };
   void tick();
   void command_autopilot(const GateResult& result, double now_s);
   void publish(const GateResult& result, double now_s);
@@ -46,7 +42,7 @@ class SafetyGateService {
   Writer<topics::SafetyState> report_;
   std::optional<PlannedTrajectory> plan_;  // that the gate has not seen
   AutopilotStatus autopilot_;
-  std::deque<Order> orders_;
+  std::deque<MissionCommand> orders_;
   GateResult last_;
   double reported_s_ = -1e9;
 };

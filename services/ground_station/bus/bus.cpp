@@ -44,6 +44,10 @@ std::int64_t now_ns() {
   return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
 }
 
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 Bus::Bus(Node& node, Outlet outlet) : node_(node), outlet_(std::move(outlet)) {}
 
 Bus::~Bus() {
@@ -53,6 +57,11 @@ Bus::~Bus() {
 void Bus::want(std::set<std::uint32_t> channels) {
   const std::lock_guard lock(mutex_);
   wanted_ = std::move(channels);
+}
+
+void Bus::expect_own(const std::string& wire) {
+  const std::lock_guard lock(mutex_);
+  own_.insert(wire);
 }
 
 std::vector<TopicReport> Bus::topics() const {
@@ -103,7 +112,7 @@ void Bus::measure(Topic& topic, double now_s) {
 
 void Bus::update(const std::string& name, Topic& topic, double now_s) {
   measure(topic, now_s);
-  const bool wanted = wanted_.contains(topic.channel.id);
+  const bool wanted = wanted_now_.contains(topic.channel.id);
   if (topic.found.writers > 0) {
     topic.alone_s = -1.0;
     if (!topic.reader && !topic.refused && (!topic.resting || wanted)) open(name, topic, now_s);
@@ -122,7 +131,11 @@ void Bus::update(const std::string& name, Topic& topic, double now_s) {
 void Bus::look(double now_s) {
   if (const auto news = node_.discoveries(); news != discoveries_) {
     discoveries_ = news;
-    for (auto& [name, topic] : topics_) topic.found.writers = topic.found.readers = 0;
+    for (auto& [name, topic] : topics_) {  // who is still there is found again
+      topic.found.writers = topic.found.readers = 0;
+      topic.found.qos_mismatch = false;
+      topic.found.foreign_type.clear();
+    }
     for (auto& [name, found] : survey(node_.endpoints())) {
       if (topics_.size() >= kMaxTopics && !topics_.contains(name)) continue;
       auto& topic = topics_[name];
@@ -133,8 +146,16 @@ void Bus::look(double now_s) {
       topic.refused = false;
     }
   }
-  const std::lock_guard lock(mutex_);
-  for (auto& [name, topic] : topics_) update(name, topic, now_s);
+  std::set<std::string> own;
+  {
+    const std::lock_guard lock(mutex_);  // not while the outlet is called
+    wanted_now_ = wanted_;
+    own = own_;
+  }
+  for (auto& [name, topic] : topics_) {
+    if (topic.found.writers == 0 && own.contains(name)) topic.found.writers = 1;
+    update(name, topic, now_s);
+  }
 }
 
 void Bus::take(double now_s) {
@@ -158,7 +179,8 @@ void Bus::publish(double now_s) {
   std::vector<TopicReport> topics;
   std::map<std::string, double> vehicles;
   for (const auto& [name, t] : topics_) {
-    if (t.found.writers + t.found.readers == 0 && !t.open) continue;
+    const auto& f = t.found;
+    if (f.writers + f.readers == 0 && f.foreign_type.empty() && !t.open) continue;
     const std::string vehicle(vehicle_of(name));
     if (!vehicle.empty()) {
       auto& last_s = vehicles.try_emplace(vehicle, -1.0).first->second;

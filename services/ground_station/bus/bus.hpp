@@ -11,43 +11,27 @@
 #include "services/common/node.hpp"
 #include "services/common/rate.hpp"
 #include "services/common/raw.hpp"
-#include "services/common/stop.hpp"
-#include "services/ground_station/bus/channel.hpp"
+#include "services/ground_station/bus/source.hpp"
 #include "services/ground_station/bus/survey.hpp"
 
 namespace foretrack::station {
 
-/// One topic as operators see it.
-struct TopicReport {
-  std::uint32_t channel = 0;  // 0: there is none, as nobody writes it
-  std::string topic, type, vehicle;
-  int writers = 0, readers = 0;
-  double rate_hz = 0.0, bytes_s = 0.0;
-  double age_s = -1.0;   // since the last sample; negative: none yet
-  bool resting = false;  // large, and nobody wants it: rates are the last known
-  bool qos_mismatch = false;
-  std::string foreign_type;
-};
-
-struct VehicleReport {
-  std::string name;
-  double seen_s_ago = -1.0;  // since any sample; negative: none yet
-};
-
 /// A channel opens when a topic has a writer and closes 10 s after its last writer left, so that a
 /// service that restarts keeps its channel. A topic of more than 1 MB/s that nobody wants rests.
-class Bus {
+class Bus : public Source {
  public:
   /// The outlet is called in run()'s thread.
   Bus(Node& node, Outlet outlet);
-  ~Bus();
+  ~Bus() override;
 
-  void run(Stop& stop);
+  void run(Stop& stop) override;
 
-  /// The channels that somebody reads or records. From any thread.
-  void want(std::set<std::uint32_t> channels);
-  std::vector<TopicReport> topics() const;
-  std::vector<VehicleReport> vehicles() const;
+  void want(std::set<std::uint32_t> channels) override;
+  /// The station itself writes this topic (name on the wire), so it is read though discovery tells
+  /// of no writer. From any thread.
+  void expect_own(const std::string& wire);
+  std::vector<TopicReport> topics() const override;
+  std::vector<VehicleReport> vehicles() const override;
 
  private:
   struct Topic {
@@ -79,9 +63,11 @@ class Bus {
   std::uint32_t next_id_ = 1;
   std::shared_ptr<Bytes> spare_;
   std::vector<Sample> batch_;
+  std::set<std::uint32_t> wanted_now_;
 
   mutable std::mutex mutex_;  // guards what follows
   std::set<std::uint32_t> wanted_;
+  std::set<std::string> own_;
   std::vector<TopicReport> topic_reports_;
   std::vector<VehicleReport> vehicle_reports_;
 };

@@ -39,5 +39,7 @@ struct Outlet {
 
 /// Nanoseconds since 1970.
 std::int64_t now_ns();
+/// Seconds of the steady clock.
+double steady_s();
 
 }  // namespace foretrack::station

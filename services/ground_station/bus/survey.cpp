@@ -31,7 +31,8 @@ bool any_mismatch(const Endpoints& endpoints) {
 // As much as all writers offer: what one of them does not offer would silence it.
 const char* profile_of(const std::string& type, const Endpoints& endpoints) {
   bool reliable = true;
-  bool latched = true;
+  bool latched = std::any_of(endpoints.begin(), endpoints.end(),
+                             [](const ForeignEndpoint* e) { return e->writes; });
   for (const auto* e : endpoints) {
     if (!e->writes || e->type != type) continue;
     reliable = reliable && e->reliable;

@@ -70,10 +70,6 @@ std::string tune(tcp::socket& socket) {
   return error ? "?" : end.address().to_string() + ':' + std::to_string(end.port());
 }
 
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Server::Server(const ServerOptions& options, Hub& hub)
     : impl_(std::make_unique<Impl>(options, hub)) {
   try {

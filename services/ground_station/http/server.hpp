@@ -55,7 +55,4 @@ class Server {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Seconds of the steady clock.
-double steady_s();
-
 }  // namespace foretrack::station

@@ -27,6 +27,7 @@ class WebSocket : public std::enable_shared_from_this<WebSocket<Stream>> {
     const std::string protocol(
         foxglove::choose_subprotocol(request_[http::field::sec_websocket_protocol].to_string()));
     auto limits = websocket::stream_base::timeout::suggested(beast::role_type::server);
+    limits.handshake_timeout = std::chrono::seconds(3);  // and for the other's farewell
     limits.idle_timeout = std::chrono::seconds(20);
     limits.keep_alive_pings = true;
     socket_.set_option(limits);

@@ -23,6 +23,10 @@ GateReport report() {
   r.result.request = AutopilotRequest::kOffboard;
   r.result.command_result = MissionResult::kRefusedPhase;
   r.result.command_id = 17;
+  r.order = MissionOrder::kLease;
+  r.operator_name = "bob";
+  r.lease_operator = "ada";
+  r.lease_remaining_s = 3.5;
   r.result.heartbeat = true;
   r.result.plan_age_s = 0.3;
   r.result.deviation_m = 0.1;
@@ -57,6 +61,10 @@ TEST(SafetyStateMessage, RoundTripsWithUncontrolledFields) {
   EXPECT_EQ(out->result.request, in.result.request);
   EXPECT_EQ(out->result.command_result, in.result.command_result);
   EXPECT_EQ(out->result.command_id, in.result.command_id);
+  EXPECT_EQ(out->order, MissionOrder::kLease);
+  EXPECT_EQ(out->operator_name, "bob");
+  EXPECT_EQ(out->lease_operator, "ada");
+  EXPECT_EQ(out->lease_remaining_s, 3.5);
   EXPECT_TRUE(out->result.heartbeat);
   EXPECT_EQ(out->result.plan_age_s, in.result.plan_age_s);
   EXPECT_EQ(out->result.deviation_m, in.result.deviation_m);
@@ -85,7 +93,7 @@ TEST(SafetyStateMessage, RefusesEachBadField) {
               {"reason", [](M& m) { m.reason(10); }},
               {"phase", [](M& m) { m.phase(6); }},
               {"request", [](M& m) { m.request(5); }},
-              {"command_result", [](M& m) { m.command_result(5); }},
+              {"command_result", [](M& m) { m.command_result(6); }},
               {"plan_age_s", [](M& m) { m.plan_age_s(kNaN); }},
               {"deviation_m", [](M& m) { m.deviation_m(kInf); }},
               {"odometry_age_s", [](M& m) { m.odometry_age_s(kNaN); }},
@@ -97,16 +105,20 @@ TEST(SafetyStateMessage, RefusesEachBadField) {
 }
 
 TEST(MissionCommandMessage, RoundTripsAndKeepsTheLease) {
-  const MissionCommand in{.id = 5, .stamp_s = 2.5, .order = MissionOrder::kLand};
+  const MissionCommand in{.id = 5,
+                          .stamp_s = 2.5,
+                          .order = MissionOrder::kLand,
+                          .operator_name = "ada",
+                          .lease_id = "lease"};
   CommandMsg msg;
-  msg.lease_id("lease");
   to_idl(in, msg);
-  EXPECT_STREQ(msg.lease_id().c_str(), "lease");
   const auto out = from_idl(msg);
   ASSERT_TRUE(out) << out.fault().text;
   EXPECT_EQ(out->id, in.id);
   EXPECT_EQ(out->stamp_s, in.stamp_s);
   EXPECT_EQ(out->order, in.order);
+  EXPECT_EQ(out->operator_name, "ada");
+  EXPECT_EQ(out->lease_id, "lease");
 }
 
 TEST(MissionCommandMessage, RefusesEachBadField) {
@@ -115,7 +127,7 @@ TEST(MissionCommandMessage, RefusesEachBadField) {
       message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kStop}),
       {
           {"header.stamp", [](M& m) { m.header().stamp().sec(-1); }},
-          {"command", [](M& m) { m.command(6); }},
+          {"command", [](M& m) { m.command(8); }},
           {"id", [](M& m) { m.id(0); }},
       },
       [](const M& m) { return from_idl(m); });

@@ -36,10 +36,13 @@ class SafetyGateOnDds : public ::testing::Test {
     to_idl(hover_plan(), plan_.sample());
     plan_.write();
   }
-  void send_order(MissionOrder order, std::uint64_t id) {
-    to_idl(MissionCommand{.id = id, .stamp_s = neighbours_.now_s(), .order = order},
+  void send_order(MissionOrder order, std::uint64_t id, const std::string& name = "ada") {
+    to_idl(MissionCommand{.id = id,
+                          .stamp_s = neighbours_.now_s(),
+                          .order = order,
+                          .operator_name = name,
+                          .lease_id = name + "'s"},
            order_.sample());
-    order_.sample().operator_id("ada");
     order_.write();
   }
   void feed() {
@@ -52,7 +55,6 @@ class SafetyGateOnDds : public ::testing::Test {
       const auto report = from_idl(message);
       ASSERT_TRUE(report) << report.fault().text;
       report_ = *report;
-      operator_id_ = message.operator_id().c_str();
       heard_ = true;
     });
     setpoint_reader_.take_each([this](const auto& message) {
@@ -90,7 +92,6 @@ class SafetyGateOnDds : public ::testing::Test {
   AutopilotStatus autopilot_{.armed = true, .offboard = true};
   std::uint64_t plan_id_ = 100;
   GateReport report_;
-  std::string operator_id_;
   Setpoint setpoint_;
   AutopilotRequest request_ = AutopilotRequest::kNone;
   bool heard_ = false;
@@ -149,7 +150,26 @@ TEST_F(SafetyGateOnDds, ObeysOrdersAndSaysWhoseItWas) {
                                   send_order(MissionOrder::kStop, ++id);
                                 }));
   EXPECT_EQ(report_.result.phase, MissionPhase::kStopped);
-  EXPECT_EQ(operator_id_, "ada");
+  EXPECT_EQ(report_.operator_name, "ada");
+}
+
+TEST_F(SafetyGateOnDds, TellsWhoHoldsTheLeaseAndRefusesOthers) {
+  std::uint64_t id = 0;
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        listen();
+        return report_.lease_operator == "ada" &&
+               report_.result.command_result == MissionResult::kRefusedForeign;
+      },
+      [&] {
+        feed();
+        send_order(MissionOrder::kLease, ++id);
+        send_order(MissionOrder::kHold, ++id, "bob");
+      }));
+  EXPECT_EQ(report_.operator_name, "bob");
+  EXPECT_EQ(report_.order, MissionOrder::kHold);
+  EXPECT_NE(report_.result.phase, MissionPhase::kHolding);
+  EXPECT_GT(report_.lease_remaining_s, 0.0);
 }
 
 TEST_F(SafetyGateOnDds, RefusesGarbageAndHovers) {

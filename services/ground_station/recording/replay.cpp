@@ -1,0 +1,157 @@
+#include "services/ground_station/recording/replay.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+#include <thread>
+
+#include "services/common/raw.hpp"
+#include "services/ground_station/bus/contract.hpp"
+#include "services/ground_station/mcap/reader.hpp"
+
+namespace foretrack::station {
+namespace {
+
+constexpr double kDiscovery_s = 1.0;  // before the first sample, so that readers hear it
+constexpr double kRound_s = 0.02;     // the stop is heard so often
+
+std::string value_of(const std::map<std::string, std::string>& map, const std::string& key) {
+  const auto it = map.find(key);
+  return it == map.end() ? "" : it->second;
+}
+
+Channel channel_of(std::uint16_t id, const mcap::ChannelInfo& info) {
+  Channel c;
+  c.id = id + 1u;  // 0 is the station's own
+  c.topic = info.topic;
+  c.wire = value_of(info.metadata, "dds_topic");
+  c.type = value_of(info.metadata, "dds_type");
+  c.encoding = info.encoding;
+  c.schema_name = info.schema_name;
+  c.schema_encoding = info.schema_encoding;
+  c.schema = info.schema;
+  c.profile = value_of(info.metadata, "qos_profile");
+  c.latched = c.profile == "latched";
+  return c;
+}
+
+bool moves_vehicles(std::string_view topic) {
+  return topic.ends_with("/mission/command") || topic.find("/fmu/in/") != std::string_view::npos;
+}
+
+/// When a sample of the recording is due, by the steady clock.
+class Pace {
+ public:
+  Pace(double speed, double begin_s) : speed_(speed), begin_s_(begin_s) {}
+  double due_s(std::uint64_t log_time_ns) {
+    if (first_ns_ == 0) first_ns_ = log_time_ns;
+    const auto since_ns = static_cast<double>(log_time_ns) - static_cast<double>(first_ns_);
+    return begin_s_ + 1e-9 * since_ns / speed_;
+  }
+
+ private:
+  double speed_, begin_s_;
+  std::uint64_t first_ns_ = 0;
+};
+
+void sleep_until(double at_s, Stop& stop) {
+  while (!stop.requested()) {
+    const double left_s = at_s - steady_s();
+    if (left_s <= 0.0) return;
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kRound_s)));
+  }
+}
+
+}  // namespace
+
+Replay::Replay(const ReplayOptions& options, Outlet outlet)
+    : options_(options), outlet_(std::move(outlet)) {
+  mcap::Reader reader(options_.file);
+}
+
+void Replay::play(Stop& stop) {
+  mcap::Reader reader(options_.file);
+  Pace pace(options_.speed, steady_s());
+  while (const auto message = reader.next()) {
+    sleep_until(pace.due_s(message->log_time_ns), stop);
+    if (stop.requested()) return;
+    const std::uint32_t id = message->channel + 1u;
+    const auto& info = reader.channels().at(message->channel);
+    if (info.topic == "/station/status") continue;  // of the station that recorded it
+    {
+      const std::lock_guard lock(mutex_);
+      auto& flow = flows_[id];
+      if (flow.channel.topic.empty()) {
+        flow.channel = channel_of(message->channel, info);
+        outlet_.opened(flow.channel);
+      }
+      ++flow.samples;
+      flow.bytes += message->data.size();
+      flow.last_s = steady_s();
+    }
+    outlet_.samples({{id, static_cast<std::int64_t>(message->log_time_ns),
+                      std::make_shared<const Bytes>(message->data.begin(), message->data.end())}});
+  }
+}
+
+void Replay::run(Stop& stop) {
+  do {
+    play(stop);
+  } while (options_.again && !stop.requested());
+  while (!stop.requested()) sleep_until(steady_s() + 1.0, stop);
+}
+
+std::vector<TopicReport> Replay::topics() const {
+  const double now_s = steady_s();
+  std::vector<TopicReport> reports;
+  const std::lock_guard lock(mutex_);
+  for (auto& [id, flow] : flows_) {
+    TopicReport report;
+    report.channel = id;
+    report.topic = flow.channel.topic;
+    report.type = flow.channel.schema_name;
+    report.vehicle = vehicle_of(flow.channel.wire);
+    report.writers = 1;
+    report.rate_hz = flow.sample_meter.update(flow.samples, now_s);
+    report.bytes_s = flow.byte_meter.update(flow.bytes, now_s);
+    report.age_s = now_s - flow.last_s;
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+std::vector<VehicleReport> Replay::vehicles() const {
+  std::map<std::string, double> ages;
+  for (const auto& topic : topics())
+    if (!topic.vehicle.empty()) {
+      auto& age_s = ages.try_emplace(topic.vehicle, topic.age_s).first->second;
+      age_s = std::min(age_s, topic.age_s);
+    }
+  std::vector<VehicleReport> reports;
+  for (const auto& [name, age_s] : ages) reports.push_back({name, age_s});
+  return reports;
+}
+
+std::uint64_t replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop) {
+  mcap::Reader reader(replay.options.file);
+  std::map<std::uint16_t, std::unique_ptr<RawWriter>> writers;
+  std::uint64_t written = 0;
+  Pace pace(replay.options.speed, steady_s() + kDiscovery_s);
+  while (const auto message = reader.next()) {
+    if (!writers.contains(message->channel)) {
+      const auto& channel = channel_of(message->channel, reader.channels().at(message->channel));
+      auto& writer = writers[message->channel];  // null: left out
+      if (!channel.wire.empty() && (replay.with_commands || !moves_vehicles(channel.wire)))
+        writer = std::make_unique<RawWriter>(
+            node, RawTopic{channel.wire, channel.type, false},
+            channel.profile.empty() ? "state" : channel.profile.c_str());
+    }
+    sleep_until(pace.due_s(message->log_time_ns), stop);
+    if (stop.requested()) break;
+    const auto& writer = writers[message->channel];
+    if (writer) written += writer->write({message->data.begin(), message->data.end()});
+  }
+  return written;
+}
+
+}  // namespace foretrack::station

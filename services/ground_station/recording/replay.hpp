@@ -1,0 +1,57 @@
+// Plays a recording: to the hub as if it were live, or back onto the bus.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+
+#include "services/common/node.hpp"
+#include "services/common/rate.hpp"
+#include "services/ground_station/bus/source.hpp"
+
+namespace foretrack::station {
+
+struct ReplayOptions {
+  std::filesystem::path file;
+  double speed = 1.0;
+  bool again = false;  // from the beginning when it has ended
+};
+
+/// Samples keep their log times.
+class Replay : public Source {
+ public:
+  /// Throws std::runtime_error if the file is no MCAP.
+  Replay(const ReplayOptions& options, Outlet outlet);
+
+  /// Returns at the stop; after the end, waits for it.
+  void run(Stop& stop) override;
+  void want(std::set<std::uint32_t>) override {}
+  std::vector<TopicReport> topics() const override;
+  std::vector<VehicleReport> vehicles() const override;
+
+ private:
+  struct Flow {
+    Channel channel;
+    std::uint64_t samples = 0, bytes = 0;
+    RateMeter sample_meter, byte_meter;
+    double last_s = -1.0;
+  };
+  void play(Stop& stop);
+
+  ReplayOptions options_;
+  Outlet outlet_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::uint32_t, Flow> flows_;
+};
+
+struct ReplayOntoDds {
+  ReplayOptions options;
+  bool with_commands = false;  // also what moves vehicles: orders and setpoints
+};
+
+/// Writes the recording's samples to the topics that they came from, with the same bytes. Topics
+/// that were not on the bus, and those that move vehicles, are left out. Until the end or the stop;
+/// returns how many samples were written.
+std::uint64_t replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop);
+
+}  // namespace foretrack::station

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "services/ground_station/mcap/reader.hpp"
+#include "services/ground_station/recording/recorder.hpp"
+#include "tests/support/folder.hpp"
+
+namespace foretrack::station::mcap {
+namespace {
+
+Bytes text(std::string_view words) {
+  return {words.begin(), words.end()};
+}
+
+/// A file of three channels with some thousand messages, as bytes.
+Bytes recording(int messages, bool finish = true) {
+  Bytes file;
+  Writer writer(
+      [&](std::span<const std::uint8_t> piece) {
+        file.insert(file.end(), piece.begin(), piece.end());
+        return true;
+      },
+      "test");
+  writer.add_metadata("versions", {{"foretrack", "1"}, {"dds", "2"}});
+  std::vector<std::uint16_t> ids;
+  for (const auto* topic : {"/a", "/b", "/c"})
+    ids.push_back(writer.add_channel({topic, "cdr", "pkg/msg/T", "ros2msg", "int32 x", {}}));
+  for (int i = 0; i < messages; ++i)
+    writer.write(ids[static_cast<std::size_t>(i) % 3], 1000u + static_cast<std::uint64_t>(i),
+                 text("message " + std::to_string(i) + std::string(1000, 'x')));
+  if (finish) writer.finish();
+  return file;
+}
+
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+int count(Reader& reader) {
+  int messages = 0;
+  while (const auto message = reader.next()) {
+    const auto expected = "message " + std::to_string(messages);
+    const std::string got(message->data.begin(),
+                          message->data.begin() + static_cast<std::ptrdiff_t>(expected.size()));
+    EXPECT_EQ(got, expected);
+    EXPECT_EQ(message->log_time_ns, 1000u + static_cast<std::uint64_t>(messages));
+    ++messages;
+  }
+  return messages;
+}
+
+TEST(Mcap, ReadsBackWhatItWrote) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  write_file(path, recording(5000));
+  Reader reader(path);
+  EXPECT_EQ(count(reader), 5000);
+  EXPECT_TRUE(reader.complete());
+  EXPECT_EQ(reader.fault(), "");
+  ASSERT_EQ(reader.channels().size(), 3u);
+  EXPECT_EQ(reader.channels().at(2).topic, "/b");
+  EXPECT_EQ(reader.channels().at(2).schema, "int32 x");
+  EXPECT_EQ(reader.metadata().at("versions").at("dds"), "2");
+}
+
+TEST(Mcap, AFileThatBreaksOffAnywhereIsReadUpToItsLastWholeChunk) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  const Bytes whole = recording(5000);
+  int last = 0;
+  for (std::size_t size = 100; size < whole.size(); size += whole.size() / 37) {
+    write_file(path, std::span(whole).first(size));
+    Reader reader(path);
+    const int messages = count(reader);
+    EXPECT_GE(messages, last) << size;
+    last = messages;
+  }
+  EXPECT_GT(last, 4000);
+}
+
+TEST(Mcap, StopsAtAChunkWhoseBytesWereChanged) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  Bytes bytes = recording(5000);
+  bytes[300] ^= 1;  // of the first chunk
+  write_file(path, bytes);
+  Reader reader(path);
+  EXPECT_LT(count(reader), 5000);
+}
+
+TEST(Mcap, NoByteOfAFileMakesTheReaderFail) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  const Bytes whole = recording(30);
+  for (std::size_t at = sizeof kMagic; at < whole.size(); ++at) {
+    Bytes bytes = whole;
+    bytes[at] ^= 0xFF;
+    write_file(path, bytes);
+    Reader reader(path);
+    while (reader.next()) {
+    }
+  }
+  write_file(path, text("no MCAP"));
+  EXPECT_THROW(Reader{path}, std::runtime_error);
+}
+
+TEST(Mcap, AWriterWhoseDiskIsFullKeepsWhatItWrote) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  Bytes file;
+  Writer writer(
+      [&](std::span<const std::uint8_t> piece) {
+        if (file.size() + piece.size() > 60'000) return false;
+        file.insert(file.end(), piece.begin(), piece.end());
+        return true;
+      },
+      "test");
+  const auto id = writer.add_channel({"/a", "cdr", "", "", "", {}});
+  for (int i = 0; i < 10'000; ++i)
+    writer.write(id, 1000u + static_cast<std::uint64_t>(i),
+                 text("message " + std::to_string(i) + std::string(1000, 'x')));
+  writer.finish();
+  EXPECT_FALSE(writer.good());
+  write_file(path, file);
+  Reader reader(path);
+  EXPECT_GT(count(reader), 1000);
+}
+
+TEST(Recordings, AnUnfinishedFileIsGivenItsEnd) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  const Bytes whole = recording(5000);
+  write_file(path, std::span(whole).first(whole.size() * 3 / 4));
+  int before = 0;
+  {
+    Reader reader(path);
+    before = count(reader);
+    EXPECT_FALSE(reader.complete());
+  }
+  EXPECT_EQ(recover_recordings(folder.path), 1);
+  EXPECT_EQ(recover_recordings(folder.path), 0);
+  Reader reader(path);
+  EXPECT_EQ(count(reader), before);
+  EXPECT_TRUE(reader.complete());
+  EXPECT_EQ(reader.metadata().at("versions").at("foretrack"), "1");
+}
+
+}  // namespace
+}  // namespace foretrack::station::mcap

@@ -1,0 +1,263 @@
+// The ground station beside a flight: what it passes on, records, replays and commands.
+#include "services/launch/domain.hpp"
+#include "tests/services/ground_station/raw_client.hpp"
+#include "tests/system/program.hpp"
+
+namespace foretrack {
+namespace {
+
+const std::string kWeb = FORETRACK_SOURCE_DIR "/services/ground_station/web";
+
+bool has_npm_packages() {
+  return std::filesystem::exists(kWeb + "/node_modules/@foxglove/ws-protocol");
+}
+
+/// Runs one of the scripts of web/probe, which read as Foxglove does, and returns its report.
+Json probe(const std::string& script, std::vector<std::string> arguments) {
+  Folder folder;
+  arguments.insert(arguments.begin(), {"node", kWeb + "/probe/" + script});
+  Program node(arguments, folder.path / "out", "/usr/bin/env");
+  EXPECT_EQ(node.wait(60.0), 0) << node.output();
+  return Json::parse(node.output(), nullptr, false);
+}
+
+/// A station of its own tokens, log and recordings, on a free port.
+class Station {
+ public:
+  Station(std::vector<std::string> arguments, const std::filesystem::path& folder)
+      : folder_(folder), program_(with_files(std::move(arguments)), folder / "station.out") {
+    EXPECT_TRUE(
+        eventually([&] { return program_.output().find("station: ") != std::string::npos; }, 20.0))
+        << program_.output();
+    const auto text = program_.output();
+    const auto begin = text.find("127.0.0.1:") + 10;
+    port_ = static_cast<unsigned short>(std::stoi(text.substr(begin)));
+    std::ifstream tokens(folder / "tokens");
+    std::string name;
+    tokens >> name >> token_;
+  }
+
+  std::string websocket() const { return "ws://127.0.0.1:" + std::to_string(port_) + "/ws"; }
+  Program& program() { return program_; }
+  std::string get(const std::string& path) {
+    return ask(testing::request("GET " + path, port_, "Connection: close\r\n"));
+  }
+  /// The answer to a POST with the token.
+  Json post(const std::string& path, const Json& body, const std::string& token) {
+    const auto text = ask(testing::request(
+        "POST " + path, port_, "Connection: close\r\nAuthorization: Bearer " + token + "\r\n",
+        body.dump()));
+    return Json::parse(text, nullptr, false);
+  }
+  Json post(const std::string& path, const Json& body) { return post(path, body, token_); }
+  Json status() { return Json::parse(get("/api/status"), nullptr, false); }
+  Json vehicle() {
+    const auto all = status();
+    for (const auto& v : all["vehicles"])
+      if (v["name"] == "uav1") return v;
+    return nullptr;
+  }
+
+ private:
+  std::vector<std::string> with_files(std::vector<std::string> arguments) const {
+    for (const auto& [option, file] :
+         {std::pair{"--token-file", "tokens"}, {"--audit-file", "audit"}})
+      arguments.insert(arguments.end(), {option, (folder_ / file).string()});
+    arguments.insert(arguments.end(), {"--port", "0"});
+    return arguments;
+  }
+  std::string ask(const std::string& bytes) {
+    testing::RawClient client(port_);
+    client.send(bytes);
+    client.is_closed(10.0);
+    const auto text = client.read_until("");
+    const auto body = text.find("\r\n\r\n");
+    return body == std::string::npos ? text : text.substr(body + 4);
+  }
+
+  std::filesystem::path folder_;
+  Program program_;
+  unsigned short port_ = 0;
+  std::string token_;
+};
+
+class StationOnAFlight : public ::testing::Test {
+ protected:
+  static constexpr const char* kScenario = "t_intersection";
+  std::string domain() const { return std::to_string(domain_.id()); }
+  Json monitor() {
+    Program program({"monitor", "--json", "--for", "1.5", "--domain", domain()},
+                    folder_.path / "monitor.out");
+    program.wait(20.0);
+    std::istringstream lines(program.output());
+    Json last;
+    for (std::string line; std::getline(lines, line);)
+      if (auto json = Json::parse(line, nullptr, false); json.is_object()) last = std::move(json);
+    return last;
+  }
+
+  const FreeDomain domain_;
+  Folder folder_;
+  Program flight_{{"up", "--scenario", kScenario, "--domain", domain(), "--out",
+                   (folder_.path / "up").string()},
+                  folder_.path / "up.out"};
+  Station station_{{"station", "--domain", domain(), "--enable-control", "--recordings",
+                    (folder_.path / "recordings").string()},
+                   folder_.path};
+};
+
+double number(const Json& json, const char* pointer) {
+  const auto& value = json[Json::json_pointer(pointer)];
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+TEST_F(StationOnAFlight, OfficialClientsDecodeEveryTopicUnderBothSubprotocols) {
+  if (!has_npm_packages()) GTEST_SKIP() << "npm ci was not run in " << kWeb;
+  ASSERT_TRUE(eventually([&] { return monitor().value("distance_m", -1.0) > 0.0; }, 60.0));
+  for (const std::string protocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
+    const Json report = probe("probe.mjs", {station_.websocket(), "4", protocol});
+    EXPECT_EQ(report["protocol"], protocol);
+    EXPECT_TRUE(report["errors"].empty() && report["status"].empty()) << report["errors"];
+    const auto& topics = report["topics"];
+    for (const auto* name :
+         {"/station/status", "/clock", "/tf", "/tf_static", "/diagnostics", "/uav1/odometry",
+          "/uav1/camera/depth/image", "/uav1/map/points", "/uav1/markers", "/uav1/plan/path",
+          "/uav1/plan/trajectory", "/uav1/safety/state", "/uav1/target/state",
+          "/uav1/target/intention", "/uav1/target/prediction", "/fmu/out/vehicle_status_v1"}) {
+      ASSERT_TRUE(topics.contains(name)) << name;
+      EXPECT_GT(topics[name]["samples"], 0) << name;
+    }
+    for (const auto& [name, topic] : topics.items())
+      EXPECT_FALSE(topic.contains("error")) << name << topic["error"];
+    const auto& odometry = topics["/uav1/odometry"]["last"];
+    const auto& truth = topics["/uav1/simulator/vehicle"]["last"];
+    for (const auto* axis : {"/pose/pose/position/x", "/pose/pose/position/y"})
+      EXPECT_NEAR(number(odometry, axis), number(truth, axis), 0.5);
+    double sum = 0.0;
+    for (const auto& intention : topics["/uav1/target/intention"]["last"]["intentions"])
+      sum += intention["probability"].get<double>();
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+    const auto& rotation = topics["/tf"]["last"]["transforms"][0]["transform"]["rotation"];
+    EXPECT_NEAR(std::hypot(rotation["x"].get<double>(), rotation["y"].get<double>(),
+                           std::hypot(rotation["z"].get<double>(), rotation["w"].get<double>())),
+                1.0, 1e-9);
+    const auto& image = topics["/uav1/camera/depth/image"]["last"];
+    EXPECT_EQ(image["data"],
+              std::to_string(image["step"].get<int>() * image["height"].get<int>()) + " items");
+  }
+}
+
+TEST_F(StationOnAFlight, OneOperatorHoldsTheLeaseAndStopAlwaysWins) {
+  ASSERT_TRUE(eventually([&] { return !station_.vehicle().is_null(); }, 60.0));
+  const auto lease = [&](const char* name, const char* action, const char* to = "") {
+    return station_.post("/api/lease",
+                         {{"vehicle", "uav1"}, {"operator", name}, {"action", action}, {"to", to}});
+  };
+  const auto command = [&](const char* name, const char* what) {
+    return station_.post("/api/command",
+                         {{"vehicle", "uav1"}, {"operator", name}, {"command", what}});
+  };
+  EXPECT_EQ(station_.post("/api/command", {{"vehicle", "uav1"}}, std::string(64, '0'))["reason"],
+            "a valid token expected");
+  ASSERT_TRUE(eventually([&] { return lease("ada", "take")["ok"] == true; }, 20.0));
+  EXPECT_EQ(lease("bob", "take")["reason"], "ada holds the lease");
+  EXPECT_EQ(command("bob", "hold")["reason"], "ada holds the lease");
+  EXPECT_TRUE(eventually([&] { return station_.vehicle()["lease"]["operator"] == "ada"; }, 5.0));
+
+  EXPECT_EQ(command("ada", "resume")["reason"], "refused: not in this phase");
+  EXPECT_EQ(command("ada", "hold")["ok"], true);
+  EXPECT_TRUE(eventually(
+      [&] { return monitor()["safety"].value("reason", "") == "an operator's order"; }, 10.0));
+  EXPECT_EQ(station_.vehicle()["last_command"]["command"], "hold");
+
+  EXPECT_EQ(lease("ada", "hand_over", "bob")["ok"], true);
+  EXPECT_EQ(command("ada", "resume")["reason"], "bob holds the lease");
+  EXPECT_EQ(command("bob", "resume")["ok"], true);
+
+  EXPECT_EQ(command("carol", "stop")["ok"], true);
+  EXPECT_TRUE(eventually(
+      [&] { return monitor()["safety"].value("reason", "") == "an operator's order"; }, 10.0));
+  EXPECT_LT(monitor().value("speed_mps", 9.0), 0.3);
+  EXPECT_EQ(station_.vehicle()["last_command"]["operator"], "carol");
+  EXPECT_EQ(lease("bob", "release")["ok"], true);
+
+  const auto audit = text_of(folder_.path / "audit");
+  for (const auto* fact : {"\"hand_over\"", "\"stop\"", "\"carol\"", "a valid token expected"})
+    EXPECT_NE(audit.find(fact), std::string::npos) << fact;
+}
+
+TEST_F(StationOnAFlight, WhatItRecordsReadsBackWithTheOfficialLibrary) {
+  if (!has_npm_packages()) GTEST_SKIP() << "npm ci was not run in " << kWeb;
+  ASSERT_TRUE(eventually([&] { return monitor().value("distance_m", -1.0) > 0.0; }, 60.0));
+  ASSERT_EQ(station_.post("/api/record", {{"action", "start"}})["ok"], true);
+  ASSERT_TRUE(
+      eventually([&] { return station_.status()["recording"].value("seconds", 0.0) > 6.0; }, 20.0));
+  ASSERT_EQ(station_.post("/api/record", {{"action", "stop"}})["ok"], true);
+  ASSERT_TRUE(eventually([&] { return station_.status()["recording"].is_null(); }, 10.0));
+  const auto list = Json::parse(station_.get("/api/recordings"));
+  ASSERT_EQ(list.size(), 1u);
+  const auto file = folder_.path / "recordings" / list[0]["file"].get<std::string>();
+
+  const Json report = probe("mcap.mjs", {file.string()});
+  ASSERT_FALSE(report["indexed"].contains("error")) << report["indexed"];
+  EXPECT_EQ(report["indexed"]["messages"], report["indexed"]["counted"]);
+  EXPECT_EQ(report["indexed"]["messages"], report["streamed"]["messages"]) << report["streamed"];
+  EXPECT_TRUE(report["indexed"]["ordered"] && report["streamed"]["done"]);
+  EXPECT_TRUE(report["metadata"]["foretrack"].contains("version"));
+  EXPECT_TRUE(report["metadata"]["parameters"].contains("yaml"));
+  EXPECT_EQ(report["topics"]["/uav1/odometry"]["schemaEncoding"], "ros2msg");
+  EXPECT_EQ(report["topics"]["/uav1/target/state"]["schemaEncoding"], "omgidl");
+  EXPECT_EQ(report["topics"]["/tf_static"]["samples"], 1);
+  EXPECT_GT(report["topics"]["/uav1/odometry"]["samples"], 200);
+
+  Folder folder;
+  Station replay({"replay", file.string(), "--speed", "4"}, folder.path);
+  const Json played = probe("probe.mjs", {replay.websocket(), "3"});
+  EXPECT_GT(played["topics"]["/uav1/odometry"]["samples"], 100);
+  EXPECT_TRUE(played["topics"]["/uav1/odometry"]["last"].contains("pose"));
+
+  const FreeDomain elsewhere;
+  const auto id = std::to_string(elsewhere.id());
+  Program writer({"replay", file.string(), "--onto-dds", "--domain", id}, folder.path / "replay");
+  Program topics({"topics", "--json", "--for", "5", "--domain", id}, folder.path / "topics");
+  ASSERT_EQ(topics.wait(20.0), 0);
+  std::map<std::string, int> samples;
+  for (const auto& topic : Json::parse(topics.output())) samples[topic["wire"]] = topic["samples"];
+  EXPECT_GT(samples["rt/uav1/odometry"], 50);
+  EXPECT_GT(samples["rt/uav1/target/state"], 20);
+  EXPECT_EQ(samples["rt/fmu/in/trajectory_setpoint"], 0) << "a replay must not move a vehicle";
+}
+
+TEST_F(StationOnAFlight, ARecorderThatIsKilledLeavesAReadableFile) {
+  if (!has_npm_packages()) GTEST_SKIP() << "npm ci was not run in " << kWeb;
+  const auto recordings = folder_.path / "killed";
+  const std::vector<std::string> record = {"record", "--domain", domain(), "--recordings",
+                                           recordings.string()};
+  std::filesystem::path file;
+  {
+    Program recorder(record, folder_.path / "record.out");
+    ASSERT_TRUE(eventually(
+        [&] {
+          std::error_code error;
+          for (const auto& entry : std::filesystem::directory_iterator(recordings, error))
+            file = entry.path();
+          return !file.empty() && std::filesystem::file_size(file) > 500'000;
+        },
+        60.0));
+    recorder.send(SIGKILL);
+    recorder.wait(5.0);
+  }
+  const Json torn = probe("mcap.mjs", {file.string()});
+  EXPECT_TRUE(torn["indexed"].contains("error"));
+  ASSERT_TRUE(torn["streamed"].contains("messages")) << torn["streamed"];
+  EXPECT_GT(torn["streamed"]["messages"], 100);
+  auto again = record;
+  again.insert(again.end(), {"--for", "1"});
+  Program recorder(again, folder_.path / "record.out");
+  ASSERT_EQ(recorder.wait(30.0), 0) << recorder.output();
+  const Json whole = probe("mcap.mjs", {file.string()});
+  EXPECT_EQ(whole["indexed"]["messages"], torn["streamed"]["messages"]) << whole["indexed"];
+}
+
+}  // namespace
+}  // namespace foretrack
