@@ -58,8 +58,7 @@ ParamRows rows(PlaceParams& p) {
        "reach of a polytope beyond its segment, horizontally"},
       {"corridor_height_m", &p.corridor_height_m, "m", 0.1, 5.0, "the same, up and down"},
       {"segment_max_m", &p.segment_max_m, "m", 0.5, 10.0, "length of path in one polytope"},
-      {"polytopes_max", &p.polytopes_max, "", 1, kPolytopesMax,
-       "polytopes of one corridor (M_F)"},
+      {"polytopes_max", &p.polytopes_max, "", 1, kPolytopesMax, "polytopes of one corridor (M_F)"},
   };
 }
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "services/yaml/yaml_reader.hpp"
 #include "services/share/share.hpp"
+#include "services/yaml/yaml_reader.hpp"
 
 namespace foretrack {
 namespace {

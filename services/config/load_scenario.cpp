@@ -10,8 +10,8 @@
 
 #include "core/common/random.hpp"
 #include "services/config/octree_world.hpp"
-#include "services/yaml/yaml_reader.hpp"
 #include "services/share/share.hpp"
+#include "services/yaml/yaml_reader.hpp"
 
 namespace foretrack {
 namespace {

@@ -12,7 +12,7 @@ enum class KeptLogs : std::uint8_t { kNone, kFailed, kAll };
 inline constexpr std::array<std::string_view, 3> kKeptLogsNames = {"none", "failed", "all"};
 
 struct BenchOptions {
-  int threads = 0;            // 0: one a core
+  int threads = 0;                 // 0: one a core
   std::filesystem::path out = {};  // empty: nothing is written
   KeptLogs logs = KeptLogs::kFailed;
   std::function<void(const BenchProgress&)> progress = {};
