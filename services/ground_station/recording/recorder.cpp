@@ -186,6 +186,17 @@ void Recorder::write(const std::vector<Sample>& samples) {
 void Recorder::write_all() {
   std::uint64_t before_bytes = 0;  // of files that are full
   bool last = false;
+  bool open = true;
+  // Before each batch, not once for all that waits: files keep to their size under any load.
+  const auto write_batch = [&](const std::vector<Sample>& batch) {
+    if (file_->writer->bytes() >= options_.split_bytes) {
+      file_->writer->finish();
+      before_bytes += file_->size;
+      if (!next_file()) return false;
+    }
+    write(batch);
+    return true;
+  };
   while (!last && file_->writer->good()) {
     std::deque<std::vector<Sample>> batches;
     {
@@ -197,13 +208,10 @@ void Recorder::write_all() {
       last = stopping_;
       status_.bytes = before_bytes + file_->size;
     }
-    for (const auto& batch : batches) write(batch);
+    for (std::size_t i = 0; open && i < batches.size(); ++i) open = write_batch(batches[i]);
+    if (!open) break;
     auto& writer = *file_->writer;
     if (writer.pending_bytes() > 0 && steady_s() - file_->chunk_since_s > kChunk_s) writer.flush();
-    if (writer.bytes() < options_.split_bytes || last) continue;
-    writer.finish();
-    before_bytes += file_->size;
-    if (!next_file()) break;
   }
   if (file_->writer) file_->writer->finish();
   const std::lock_guard lock(mutex_);
