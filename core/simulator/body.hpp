@@ -21,6 +21,9 @@ struct PersonState {
 /// stride. The mean of joints 11, 12, 23 and 24 is position_enu_m.
 std::array<Vec3, kLandmarkCount> joints_enu_m(const PersonState& state, double height_m);
 
+/// Height of the shoulders over that of the person.
+inline constexpr double kShoulderShare = 0.818;
+
 /// Height of the torso's centre above the feet.
 double torso_height_m(double height_m);
 

@@ -88,24 +88,6 @@ struct Renderer {
             std::min(camera.image.depth_m[i], static_cast<float>((z_m - eye_m.z()) / slope));
     }
   }
-
-  void add_noise() {
-    const DepthCameraParams& p = camera.params;
-    for (float& depth : camera.image.depth_m) {
-      if (p.dropout > 0.0 && camera.random.chance(p.dropout)) {
-        depth = 0.0F;
-        continue;
-      }
-      if (depth > p.range_max_m) {
-        depth = static_cast<float>(2.0 * p.range_max_m);
-        continue;
-      }
-      if (p.noise_m <= 0.0) continue;
-      const double far = std::max(1.0, depth / 4.0);
-      depth += static_cast<float>(p.noise_m * far * far * camera.random.normal());
-      depth = std::max(depth, static_cast<float>(kNear_m));
-    }
-  }
 };
 
 }  // namespace
@@ -121,6 +103,25 @@ DepthCamera make_depth_camera(const DepthCameraParams& params, std::uint64_t see
   return camera;
 }
 
+void add_noise(DepthCamera& camera) {
+  const DepthCameraParams& p = camera.params;
+  for (float& depth : camera.image.depth_m) {
+    if (!(depth > 0.0F)) continue;
+    if (p.dropout > 0.0 && camera.random.chance(p.dropout)) {
+      depth = 0.0F;
+      continue;
+    }
+    if (depth > p.range_max_m) {
+      depth = static_cast<float>(2.0 * p.range_max_m);
+      continue;
+    }
+    if (p.noise_m <= 0.0) continue;
+    const double far = std::max(1.0, depth / 4.0);
+    depth += static_cast<float>(p.noise_m * far * far * camera.random.normal());
+    depth = std::max(depth, static_cast<float>(kNear_m));
+  }
+}
+
 void render(DepthCamera& camera, const World& world, const VehicleState& vehicle,
             const PersonState& person, double height_m) {
   const Pose T_world_camera = vehicle.T_world_body() * camera.params.camera.T_body_camera;
@@ -133,7 +134,7 @@ void render(DepthCamera& camera, const World& world, const VehicleState& vehicle
   for (const auto& cylinder : world.cylinders) renderer.draw(cylinder);
   const double feet_m = person.position_enu_m.z() - torso_height_m(height_m);
   renderer.draw(Cylinder{person.position_enu_m.head<2>(), kPersonRadius_m, height_m, feet_m});
-  renderer.add_noise();
+  add_noise(camera);
 }
 
 const DepthImage* image_depth(DepthCamera& camera, const World& world, const VehicleState& vehicle,

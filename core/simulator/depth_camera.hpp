@@ -29,6 +29,10 @@ struct DepthCamera {
 };
 DepthCamera make_depth_camera(const DepthCameraParams& params, std::uint64_t seed);
 
+/// Exact depths in the image → what the camera measures: noise, dropouts, twice the range beyond
+/// it. 0 stays 0.
+void add_noise(DepthCamera& camera);
+
 /// Renders exact depths with noise (each shape's rays only within its image): where nothing is in
 /// range, twice the range (free to there). The person is an upright cylinder. Cost: about 1–3 ms
 /// for 160 × 120 pixels and 120 shapes.

@@ -1,0 +1,52 @@
+// A colour camera that sees the world, the sky and the person, with depth from the same pass.
+#pragma once
+
+#include <memory>
+
+#include "core/common/vehicle.hpp"
+#include "core/simulator/depth_camera.hpp"
+#include "core/simulator/person.hpp"
+#include "core/simulator/person_model.hpp"
+#include "core/simulator/scenery.hpp"
+
+namespace foretrack {
+
+struct ColorCameraParams {
+  CameraModel camera;
+  double rate_hz = 30.0;
+};
+
+struct ColorImage {
+  double stamp_s = 0.0;
+  CameraModel camera;
+  RgbImage pixels;
+};
+
+struct ColorCamera {
+  ColorCameraParams params;
+  std::shared_ptr<const PersonModel> person;
+  Scenery scenery;
+  Canvas canvas;
+  ColorImage image;
+  double next_image_s = 0.0;
+  std::vector<Corner> posed, shadow;  // workspace
+};
+
+/// Throws std::invalid_argument without a person.
+ColorCamera make_color_camera(const ColorCameraParams& params, const World& world,
+                              std::shared_ptr<const PersonModel> person);
+
+/// Renders the image, and in the canvas the depths. Cost: about 10 ms for 640 × 480 pixels.
+void render(ColorCamera& camera, const VehicleState& vehicle, const PersonState& person,
+            double height_m);
+
+/// The new image if one is due now, else null. Valid until the next call.
+const ColorImage* image_color(ColorCamera& camera, const VehicleState& vehicle,
+                              const PersonState& person, double height_m);
+
+/// What a depth camera at the same place measured in the same instant: the depths of the last
+/// render() along its own rays, with its own noise. Sky: twice its range. Valid until its next
+/// image. Rays that leave the colour image have no return.
+const DepthImage* depth_of(const ColorCamera& camera, DepthCamera& depth);
+
+}  // namespace foretrack

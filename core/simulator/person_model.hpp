@@ -1,0 +1,69 @@
+// A textured person whose limbs follow the joints of the simulated one.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/simulator/body.hpp"
+#include "core/simulator/rasterizer.hpp"
+
+namespace foretrack {
+
+/// A mesh as modelled: forward along x, left along y, up along z, in any unit.
+struct PersonMesh {
+  struct Vertex {
+    Eigen::Vector3f position = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::UnitX();
+    float u = 0.0F, v = 0.0F;
+  };
+  struct Triangle {
+    std::array<int, 3> vertices{};
+    int texture = 0;
+  };
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;  // counter-clockwise from outside
+  std::vector<Texture> textures;
+};
+
+/// Where the joints are in a mesh of height 1 with its feet at z = 0 and its middle at x = y = 0.
+/// Left first. Arms that are crossed or rest on the body move with the torso.
+struct Skeleton {
+  using Side = std::array<Eigen::Vector3f, 2>;  // left, right
+  Side shoulder, elbow, wrist, fingertips;
+  Side hip, knee, ankle, toes;
+  bool arms_swing = true;
+};
+
+/// Parts that move as one: torso, head; then for each side upper arm, forearm, thigh, shank, foot.
+inline constexpr int kBoneCount = 12;
+
+struct PersonModel {
+  PersonMesh mesh;  // brought to height 1
+  Skeleton skeleton;
+  struct Skin {
+    std::array<int, 2> bones{};
+    float first_weight = 1.0F;  // of bones[0]; the rest is bones[1]'s
+  };
+  std::vector<Skin> skin;  // of each vertex
+};
+
+/// Brings the mesh to height 1 and binds each vertex to its two nearest bones. Throws
+/// std::invalid_argument for a mesh without triangles or with indices out of range.
+PersonModel make_person_model(PersonMesh mesh, const Skeleton& skeleton);
+
+/// The model's vertices with its joints where `joints_enu_m` has them (limbs are turned, and
+/// stretched along themselves), lit, in the world. `posed` is filled; its memory is reused.
+void pose_person(const PersonModel& model, const std::array<Vec3, kLandmarkCount>& joints_enu_m,
+                 double height_m, std::vector<Corner>& posed);
+
+/// Where the sun's shadow of the posed vertices falls on the ground, textured as the ground is.
+void cast_shadow(std::span<const Corner> posed, double ground_z_m, std::vector<Corner>& shadow);
+
+/// Draws corners that are in the camera. Cost: about 1.5 ms for 10 000 triangles.
+void draw(Canvas& canvas, const PersonModel& model, std::span<const Corner> posed);
+void draw_shadow(Canvas& canvas, const PersonModel& model, std::span<const Corner> shadow,
+                 const Texture& ground);
+
+}  // namespace foretrack

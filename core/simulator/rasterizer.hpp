@@ -1,0 +1,58 @@
+// A z-buffer: convex polygons in, colours and depths out, each pixel shaded once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/common/camera.hpp"
+#include "core/common/image.hpp"
+#include "core/simulator/texture.hpp"
+
+namespace foretrack {
+
+/// A corner of a polygon. Texture coordinates count repeats; light multiplies the texture's colour.
+struct Corner {
+  Eigen::Vector3f camera_m = Eigen::Vector3f::Zero();  // optical frame
+  float u = 0.0F, v = 0.0F;
+  float light = 1.0F;
+};
+
+/// a·x + b·y + c at the centre of pixel (x, y): what is linear in the image (a quantity over
+/// depth).
+struct ScreenPlane {
+  float a = 0.0F, b = 0.0F, c = 0.0F;
+};
+
+/// A drawn polygon: everything about it but its outline.
+struct Facet {
+  ScreenPlane inverse_depth, u, v, light;  // the last three over the depth
+  const Texture* texture = nullptr;
+};
+
+/// Up in the optical frame decides where the sky is light.
+struct Sky {
+  Eigen::Vector3f up_camera = -Eigen::Vector3f::UnitY();
+};
+
+struct Canvas {
+  CameraModel camera;
+  RgbImage color;
+  std::vector<float> inverse_depth;  // 1/m along the optical axis, row-major; 0: sky
+  std::vector<std::int32_t> facet;   // that the pixel shows; −1: sky
+  std::vector<Facet> facets;         // of this image
+};
+Canvas make_canvas(const CameraModel& camera);
+
+/// Nothing but sky.
+void clear(Canvas& canvas);
+
+/// Draws a flat convex polygon whose corners run counter-clockwise as seen from outside; from
+/// behind it is not drawn. The texture must outlive shade(). Parts nearer than 5 cm are cut off.
+void draw(Canvas& canvas, std::span<const Corner> polygon, const Texture& texture);
+
+/// Fills in the colours. Cost: about 10 ms for 640 × 480 pixels, with all drawing.
+void shade(Canvas& canvas, const Sky& sky);
+
+}  // namespace foretrack
