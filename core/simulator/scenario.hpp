@@ -39,7 +39,9 @@ struct Scenario {
   WindParams wind;
   LandmarkCameraParams landmark_camera;
   DepthCameraParams depth_camera;
-  bool depth_images = false;  // rendered also with the known map
+  bool depth_images = false;   // rendered also with the known map
+  bool color_images = false;   // of the landmark camera, rendered, instead of its landmarks
+  std::string person = "boy";  // who is rendered; services/people has the names
   MapSource map = MapSource::kKnown;
   double map_resolution_m = 0.15;
   double duration_s = 60.0;

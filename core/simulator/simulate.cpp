@@ -60,6 +60,22 @@ QuadrotorState place_vehicle(const Scenario& scenario, const World& world,
   return make_quadrotor(scenario.quadrotor, p, yaw, seed);
 }
 
+void take_images(SimulatorState& state, double height_m) {
+  const Scenario& scenario = state.scenario;
+  SimulatorOutput& out = state.output;
+  const bool wants_depth = scenario.map == MapSource::kDepth || scenario.depth_images;
+  out.color = nullptr;
+  out.depth = nullptr;
+  if (state.color_camera) {
+    out.color = image_color(*state.color_camera, out.vehicle, out.target, height_m);
+    if (wants_depth && out.color) out.depth = depth_of(*state.color_camera, state.depth_camera);
+    return;
+  }
+  out.observation = observe(state.landmark_camera, state.world, out.vehicle, out.target, height_m);
+  if (wants_depth)
+    out.depth = image_depth(state.depth_camera, state.world, out.vehicle, out.target, height_m);
+}
+
 }  // namespace
 
 World world_of(const Scenario& scenario) {
@@ -88,7 +104,7 @@ Walk walk_of(const Scenario& scenario, const World& world) {
                     limits);
 }
 
-SimulatorState make_simulator(const Scenario& scenario) {
+SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const PersonModel> model) {
   World world = world_of(scenario);
   Person person = make_person(scenario.target.person, walk_of(scenario, world), world.min_m.z());
   if (!world.contains(person.state.position_enu_m) ||
@@ -105,7 +121,12 @@ SimulatorState make_simulator(const Scenario& scenario) {
                        std::move(autopilot),
                        make_landmark_camera(scenario.landmark_camera, seed_of(scenario, 3)),
                        make_depth_camera(scenario.depth_camera, seed_of(scenario, 4)),
+                       {},
                        {}};
+  if (scenario.color_images)
+    state.color_camera =
+        make_color_camera({scenario.landmark_camera.camera, scenario.landmark_camera.rate_hz},
+                          state.world, std::move(model));
   state.output.vehicle = state.quadrotor.vehicle;
   state.output.autopilot = state.autopilot.status;
   state.output.target = state.person.state;
@@ -131,11 +152,7 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   out.autopilot = state.autopilot.status;
   out.autopilot.stamp_s = out.now_s;
   out.target = state.person.state;
-  out.observation = observe(state.landmark_camera, state.world, out.vehicle, out.target, height_m);
-  const bool wants_depth = scenario.map == MapSource::kDepth || scenario.depth_images;
-  out.depth = wants_depth
-                  ? image_depth(state.depth_camera, state.world, out.vehicle, out.target, height_m)
-                  : nullptr;
+  take_images(state, height_m);
   return out;
 }
 

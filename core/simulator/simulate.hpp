@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/simulator/color_camera.hpp"
 #include "core/simulator/scenario.hpp"
 
 namespace foretrack {
@@ -12,7 +13,8 @@ struct SimulatorOutput {
   VehicleState vehicle;  // truth, which is also the odometry
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   AutopilotStatus autopilot;
-  std::optional<TargetObservation> observation;  // delivered in this step
+  std::optional<TargetObservation> observation;  // delivered in this step; none with color images
+  const ColorImage* color = nullptr;             // null: none in this step
   const DepthImage* depth = nullptr;             // null: none in this step
   PersonState target;                            // truth
 };
@@ -25,16 +27,19 @@ struct SimulatorState {
   Autopilot autopilot;
   LandmarkCamera landmark_camera;
   DepthCamera depth_camera;
+  std::optional<ColorCamera> color_camera;
   SimulatorOutput output;
 };
 
 /// At time 0: the person stands at the start, the vehicle hovers armed. Each part draws its noise
 /// from a seed of its own. Throws std::invalid_argument for a scenario that cannot be (start inside
-/// an obstacle or outside the bounds, no way to walk).
-SimulatorState make_simulator(const Scenario& scenario);
+/// an obstacle or outside the bounds, no way to walk; color images without a `person` to render).
+SimulatorState make_simulator(const Scenario& scenario,
+                              std::shared_ptr<const PersonModel> person = nullptr);
 
 /// Advances by dt_s (10 ms is usual). Autopilot, then vehicle, person, images. The output is also
-/// in the state. Cost: about 20 µs for 10 ms, with a depth image 2 ms more.
+/// in the state. Cost: about 20 µs for 10 ms; a depth image 2 ms more, a colour image 15 ms (and
+/// depth comes from the same pass, at the next colour image when it is due).
 const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& input, double dt_s);
 
 }  // namespace foretrack

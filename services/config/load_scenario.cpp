@@ -147,6 +147,7 @@ void read_sensors(YamlReader& r, Scenario& s) {
   r.number("depth_range_m", s.depth_camera.range_max_m, 0.5, 100.0);
   r.number("depth_dropout", s.depth_camera.dropout, 0.0, 1.0);
   r.flag("depth_images", s.depth_images);
+  r.flag("color_images", s.color_images);
 }
 
 void read_wind(YamlReader& r, WindParams& wind) {
@@ -263,6 +264,7 @@ void apply(const ScenarioOverrides& o, Scenario& s, std::optional<TrackSource>& 
   if (o.map) s.map = *o.map;
   if (o.duration_s) s.duration_s = *o.duration_s;
   if (o.seed) s.seed = *o.seed;
+  if (o.color_images) s.color_images = true;
   if (o.track_file) {
     track.emplace().file = fs::absolute(*o.track_file).string();
     s.target.route_m.clear();
@@ -291,7 +293,10 @@ Scenario load_scenario(const std::string& name_or_file, const ScenarioOverrides&
     has_bounds = w.has("bounds_m");
     read_world(w, s, generator_has_seed, octree);
   });
-  r.section("target", [&](YamlReader& t) { read_target(t, s.target, track, random_stops); });
+  r.section("target", [&](YamlReader& t) {
+    t.text("person", s.person);
+    read_target(t, s.target, track, random_stops);
+  });
   r.section("vehicle", [&](YamlReader& v) { read_vehicle(v, s); });
   r.section("sensors", [&](YamlReader& v) { read_sensors(v, s); });
   r.section("wind", [&](YamlReader& w) { read_wind(w, s.wind); });

@@ -15,6 +15,7 @@ struct ScenarioOverrides {
   std::optional<std::uint64_t> seed;  // also of the generated world, unless the file gives that one
   std::optional<MapSource> map;
   std::optional<double> duration_s;
+  bool color_images = false;              // rendered, whatever the scenario says
   std::optional<std::string> track_file;  // walk as this recorded pedestrian
   std::optional<int> pedestrian;
   std::optional<double> track_rate_hz;  // frames a second of track_file

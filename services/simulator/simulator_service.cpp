@@ -40,7 +40,7 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
     : node_(service.node()),
       stop_(stop),
       options_(options),
-      state_(make_simulator(scenario)),
+      state_(make_simulator(scenario, options.person)),
       heartbeat_(node_),
       setpoint_(node_),
       command_(node_),
@@ -52,6 +52,8 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
       observation_(node_),
       depth_(node_),
       camera_info_(node_),
+      color_(node_),
+      color_info_(node_),
       target_truth_(node_),
       vehicle_truth_(node_),
       transforms_(node_),
@@ -126,6 +128,12 @@ void SimulatorService::publish_cameras(const SimulatorOutput& out) {
   if (out.observation) {
     to_idl(*out.observation, observation_.sample());
     observation_.write();
+  }
+  if (out.color) {
+    to_idl(out.color->camera, out.color->stamp_s, color_info_.sample());
+    color_info_.write();
+    to_idl(out.color->pixels, out.color->stamp_s, color_.sample());
+    color_.write();
   }
   if (!out.depth) return;
   to_idl(out.depth->camera, out.depth->stamp_s, camera_info_.sample());

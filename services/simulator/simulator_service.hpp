@@ -20,8 +20,9 @@
 namespace foretrack {
 
 struct SimulatorOptions {
-  double speed = 1.0;    // simulated seconds in a second
-  bool endless = false;  // goes on after the scenario's duration
+  double speed = 1.0;                         // simulated seconds in a second
+  bool endless = false;                       // goes on after the scenario's duration
+  std::shared_ptr<const PersonModel> person;  // to be rendered, if the scenario has colour images
 };
 
 /// Steps of 10 ms simulated time from 0, each announced on the clock topic after its data. Under
@@ -61,6 +62,8 @@ class SimulatorService {
   Writer<topics::TargetObservation> observation_;
   Writer<topics::DepthImage> depth_;
   Writer<topics::DepthCameraInfo> camera_info_;
+  Writer<topics::ColorImage> color_;
+  Writer<topics::ColorCameraInfo> color_info_;
   Writer<topics::TargetTruth> target_truth_;
   Writer<topics::VehicleTruth> vehicle_truth_;
   Writer<topics::Transforms> transforms_;

@@ -5,6 +5,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/target.hpp"
 #include "tests/services/onboard/neighbours.hpp"
+#include "tests/support/mannequin.hpp"
 
 namespace foretrack::testing {
 namespace {
@@ -112,6 +113,31 @@ TEST_F(SimulatorOnDds, IsFlownOverPx4sTopics) {
         return offboard && (vehicle.position_enu_m - Vec3(-2.0, -1.0, 2.0)).norm() < 0.2;
       },
       fly));
+}
+
+TEST(Simulator, PublishesColourImagesInsteadOfLandmarksWhenAsked) {
+  Neighbours neighbours;
+  Running service([](const ServiceOptions& options, Stop& stop) {
+    Scenario filmed = scenario();
+    filmed.color_images = true;
+    SimulatorOptions own{.speed = 0.5, .endless = true, .person = make_mannequin()};
+    run_simulator(options, filmed, own, stop);
+  });
+  Reader<topics::ColorImage> color(neighbours.node());
+  Reader<topics::ColorCameraInfo> info(neighbours.node());
+  Reader<topics::DepthImage> depth(neighbours.node());
+  Reader<topics::TargetObservation> observation(neighbours.node());
+  const sensor_msgs::msg::Image* image = nullptr;
+  ASSERT_TRUE(neighbours.until([&] { return (image = color.take_newest()) != nullptr; }));
+  EXPECT_EQ(image->encoding(), "rgb8");
+  EXPECT_EQ(image->width(), 640U);
+  EXPECT_EQ(image->step(), 3U * 640U);
+  EXPECT_EQ(image->data().size(), 3U * 640U * 480U);
+  const sensor_msgs::msg::CameraInfo* camera = nullptr;
+  ASSERT_TRUE(neighbours.until([&] { return (camera = info.take_newest()) != nullptr; }));
+  EXPECT_EQ(camera->width(), 640U);
+  EXPECT_TRUE(neighbours.until([&] { return depth.take_newest() != nullptr; }));
+  EXPECT_EQ(observation.take_newest(), nullptr);
 }
 
 TEST(Simulator, RefusesAnImpossibleSpeed) {
