@@ -90,6 +90,8 @@ std::function<int()> prepare_fly(CLI::App& app) {
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", o->overrides.pedestrian, "which one of the track file");
   app.add_option("--track-rate", o->overrides.track_rate_hz, "frames a second of the track file");
+  app.add_flag("--camera", o->overrides.color_images,
+               "see rendered images through the pose network");
   app.add_option("--for", o->overrides.duration_s, "seconds to fly")->check(CLI::PositiveNumber);
   app.add_option("--out", o->out, "folder for log.csv, metrics.json and flight.png");
   app.add_flag("--json", o->json, "print the metrics as JSON");

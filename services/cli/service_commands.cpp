@@ -8,6 +8,7 @@
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
 #include "services/onboard/onboard.hpp"
+#include "services/people/load_person.hpp"
 #include "services/simulator/simulator_service.hpp"
 
 namespace foretrack {
@@ -85,10 +86,12 @@ std::function<int()> prepare_simulator(CLI::App& app) {
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
   app.add_flag("--endless", o->simulator.endless, "go on after the scenario's duration");
+  app.add_flag("--camera", o->overrides.color_images, "render images instead of landmarks");
   return [o] {
     if (!o->map.empty())
       o->overrides.map = o->map == "known" ? MapSource::kKnown : MapSource::kDepth;
     const Scenario scenario = load_scenario(o->scenario, o->overrides);
+    o->simulator.person = person_of(scenario);
     return run_until_stopped(
         o->service, [&](Stop& stop) { run_simulator(o->service, scenario, o->simulator, stop); });
   };

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <limits>
 
+#include "services/flight/camera_eye.hpp"
+#include "services/share/share.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -85,15 +88,22 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                  const FlightOptions& options, const TrackerWatch& watch) {
   using Clock = std::chrono::steady_clock;
   TrackerState tracker(params);
+  std::optional<CameraEye> eye;
+  if (scenario.color_images)
+    eye.emplace(load_pose_network(find_share("models"),
+                                  static_cast<PoseModel>(params.perception.model_complexity)),
+                params.perception, scenario.landmark_camera.delay_s);
   FlightRow last;
   const Pilot pilot = [&](PilotStep s) {
-    const TrackerInput input{
-        .now_s = s.simulator.now_s,
-        .vehicle = s.simulator.vehicle,
-        .autopilot = s.simulator.autopilot,
-        .observation = s.simulator.observation ? &*s.simulator.observation : nullptr,
-        .depth = s.known_map ? nullptr : s.simulator.depth,
-        .known_map = s.known_map};
+    const TargetObservation* observation =
+        s.simulator.observation ? &*s.simulator.observation : nullptr;
+    if (eye) observation = eye->look(s.simulator.color, s.simulator.now_s);
+    const TrackerInput input{.now_s = s.simulator.now_s,
+                             .vehicle = s.simulator.vehicle,
+                             .autopilot = s.simulator.autopilot,
+                             .observation = observation,
+                             .depth = s.known_map ? nullptr : s.simulator.depth,
+                             .known_map = s.known_map};
     const auto begin = Clock::now();
     const TrackerOutput out = step(tracker, input, params);
     if (out.planned)

@@ -13,7 +13,9 @@ MetricParams metric_params_of(const TrackerParams& params);
 using TrackerWatch = std::function<void(const TrackerOutput&)>;
 
 /// Flies the scenario with the tracker. The same scenario and parameters give the same rows, on any
-/// machine with the same program.
+/// machine with the same program. With colour images, the person is loaded and the pose network
+/// sees for the tracker; throws std::runtime_error that says what of them is missing, and how to
+/// get it.
 FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                  const FlightOptions& options = {}, const TrackerWatch& watch = {});
 

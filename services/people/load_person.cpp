@@ -132,4 +132,8 @@ std::shared_ptr<const PersonModel> load_person(const std::string& name,
   return std::make_shared<PersonModel>(make_person_model(std::move(mesh), row->skeleton));
 }
 
+std::shared_ptr<const PersonModel> person_of(const Scenario& scenario) {
+  return scenario.color_images ? load_person(scenario.person) : nullptr;
+}
+
 }  // namespace foretrack

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/simulator/person_model.hpp"
+#include "core/simulator/scenario.hpp"
 
 namespace foretrack {
 
@@ -21,5 +22,8 @@ std::vector<std::string> person_names();
 /// package to install if the models are not there, or what is wrong with them. Cost: about 0.2 s.
 std::shared_ptr<const PersonModel> load_person(const std::string& name,
                                                const std::filesystem::path& file = {});
+
+/// Whom the scenario renders; null if it does not.
+std::shared_ptr<const PersonModel> person_of(const Scenario& scenario);
 
 }  // namespace foretrack

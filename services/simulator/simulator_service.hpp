@@ -20,9 +20,10 @@
 namespace foretrack {
 
 struct SimulatorOptions {
-  double speed = 1.0;                         // simulated seconds in a second
-  bool endless = false;                       // goes on after the scenario's duration
-  std::shared_ptr<const PersonModel> person;  // to be rendered, if the scenario has colour images
+  double speed = 1.0;    // simulated seconds in a second
+  bool endless = false;  // goes on after the scenario's duration
+  std::shared_ptr<const PersonModel> person =
+      nullptr;  // to be rendered, if the scenario has colour images
 };
 
 /// Steps of 10 ms simulated time from 0, each announced on the clock topic after its data. Under

@@ -1,0 +1,143 @@
+// What the pose network makes of rendered people, and flights that see by it.
+//   camera_bench [--walks N] [--flights N] [--first SEED] [--params FILE] [--json]
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "bench/camera/walks.hpp"
+#include "services/config/load_params.hpp"
+#include "services/config/load_scenario.hpp"
+#include "services/flight/fly.hpp"
+#include "services/people/load_person.hpp"
+#include "services/share/share.hpp"
+
+namespace {
+
+using namespace foretrack;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  int walks = 16, hidden = 6, flights = 0;
+  std::uint64_t first = 1;
+  double seconds = 8.0;
+  std::string params, scenario = "t_intersection";
+  bool json = false;
+};
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::nan("");
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+double share_of(int part, int whole) {
+  return whole > 0 ? static_cast<double>(part) / whole : std::nan("");
+}
+
+Json json_of(const WalkScores& s) {
+  return {{"frames_in_view", s.in_view},
+          {"detected", share_of(s.detected, s.in_view)},
+          {"horizontal_m", {quantile(s.horizontal_m, 0.5), quantile(s.horizontal_m, 0.95)}},
+          {"range_bias_m", quantile(s.range_m, 0.5)},
+          {"horizontal_filtered_m", quantile(s.horizontal_filtered_m, 0.5)},
+          {"yaw_deg", {deg(quantile(s.yaw_rad, 0.5)), deg(quantile(s.yaw_rad, 0.95))}},
+          {"yaw_filtered_deg", deg(quantile(s.yaw_filtered_rad, 0.5))},
+          {"hidden_frames", s.hidden},
+          {"hidden_without_pose", 1.0 - share_of(s.false_poses, s.hidden)},
+          {"appearances", s.appearances},
+          {"found_again_s", {quantile(s.found_again_s, 0.5), quantile(s.found_again_s, 1.0)}},
+          {"network_ms", s.network_ms / s.frames},
+          {"render_ms", s.render_ms / s.frames}};
+}
+
+Json run_walks(const Options& o, const PerceptionParams& params) {
+  PoseNetwork network =
+      load_pose_network(find_share("models"), static_cast<PoseModel>(params.model_complexity));
+  constexpr std::array kHeights_m = {1.60, 1.75, 1.90};
+  constexpr std::array kDistances_m = {2.0, 3.0, 4.0, 5.0};
+  const auto people = person_names();
+  const auto walk_of = [&](int i) {
+    return WalkCase{o.first + static_cast<std::uint64_t>(i), people[i % people.size()],
+                    kHeights_m[i % kHeights_m.size()],
+                    kDistances_m[(i / 4 + i) % kDistances_m.size()], o.seconds};
+  };
+  WalkScores total;
+  for (int i = 0; i < o.walks; ++i) {
+    WalkScores own;
+    const WalkCase w = walk_of(i);
+    run_walk(w, network, params, own);
+    total.add(own);
+    if (!o.json)
+      std::printf("%-5s %.2f m tall, %.0f m away: %3d of %3d, %.3f m (range %+.3f), yaw %.1f°\n",
+                  w.person.c_str(), w.height_m, w.distance_m, own.detected, own.in_view,
+                  quantile(own.horizontal_m, 0.5), quantile(own.range_m, 0.5),
+                  deg(quantile(own.yaw_rad, 0.5)));
+    std::fflush(stdout);
+  }
+  for (int i = 0; i < o.hidden; ++i) {
+    WalkCase walk = walk_of(i);
+    walk.distance_m = std::max(walk.distance_m, 3.0);
+    walk.seconds = 12.0;
+    run_hidden_walk(walk, network, params, total);
+  }
+  return json_of(total);
+}
+
+// A flight succeeds if nothing is hit and the person is not lost for good: every turn stays in
+// view.
+Json run_flights(const Options& o, const TrackerParams& params) {
+  Json flights = Json::array();
+  int successes = 0;
+  for (int i = 0; i < o.flights; ++i) {
+    ScenarioOverrides overrides;
+    overrides.seed = o.first + static_cast<std::uint64_t>(i);
+    overrides.color_images = true;
+    const Scenario scenario = load_scenario(o.scenario, overrides);
+    const Metrics m = fly(scenario, params).metrics;
+    const bool success = m.collisions == 0 && m.turns > 0 && m.turn_successes == m.turns;
+    successes += success;
+    flights.push_back({{"seed", *overrides.seed},
+                       {"success", success},
+                       {"failure_rate", m.failure_rate},
+                       {"turns", m.turns},
+                       {"turn_successes", m.turn_successes},
+                       {"longest_loss_s", m.longest_loss_s},
+                       {"collisions", m.collisions}});
+    if (!o.json) std::printf("%s\n", flights.back().dump().c_str());
+    std::fflush(stdout);
+  }
+  return {{"flights", flights}, {"successes", successes}};
+}
+
+int run(const Options& o) {
+  const TrackerParams params = o.params.empty() ? TrackerParams{} : load_params(o.params);
+  Json report;
+  if (o.walks > 0 || o.hidden > 0) report["walks"] = run_walks(o, params.perception);
+  if (o.flights > 0) report["closed_loop"] = run_flights(o, params);
+  std::printf("%s\n", report.dump(1).c_str());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options o;
+  CLI::App app("rendered people through the pose network, and flights that see by it");
+  app.add_option("--walks", o.walks, "walks in the open")->capture_default_str();
+  app.add_option("--hidden", o.hidden, "walks behind a wall")->capture_default_str();
+  app.add_option("--seconds", o.seconds, "of each walk")->capture_default_str();
+  app.add_option("--flights", o.flights, "closed-loop flights")->capture_default_str();
+  app.add_option("--scenario", o.scenario, "of the flights")->capture_default_str();
+  app.add_option("--first", o.first, "first seed")->capture_default_str();
+  app.add_option("--params", o.params)->check(CLI::ExistingFile);
+  app.add_flag("--json", o.json, "only the report");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return run(o);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
