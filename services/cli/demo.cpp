@@ -17,9 +17,13 @@
 #include "services/ground_station/control/tokens.hpp"
 #include "services/launch/domain.hpp"
 #include "services/operator/view.hpp"
+#include "services/people/load_person.hpp"
 
 namespace foretrack {
 namespace {
+
+// Rendering and the pose network together take more than two cores in real time have.
+constexpr double kCameraSpeed = 0.5;
 
 struct DemoArguments {
   DemoOptions options;
@@ -72,6 +76,12 @@ int run(DemoArguments arguments) {
   auto& [options, out, domain, no_station, overrides] = arguments;
   auto& spec = options.spec;
   if (!spec.params_file.empty()) load_params(spec.params_file);  // throws what is wrong in it
+  if (overrides.color_images) {
+    person_of(options.scenario =
+                  load_scenario(spec.scenario, overrides));  // throws what is missing
+    spec.camera = true;
+    spec.speed *= kCameraSpeed;
+  }
   overrides.map = spec.map == "known" ? MapSource::kKnown : MapSource::kDepth;
   options.scenario = load_scenario(spec.scenario, overrides);
   spec.duration_s = options.scenario.duration_s;
@@ -108,6 +118,8 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_option("--track", overrides.track_file, "Walk as a pedestrian of this recording")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", overrides.pedestrian, "Which pedestrian of the recording");
+  app.add_flag("--camera", overrides.color_images,
+               "See rendered images through the pose network, at half the speed");
   app.add_flag("--headless", options.headless, "A line a second instead of a screen");
   app.add_option("--out", out, "Folder; default: flights/<scenario>-<date>");
   app.add_flag("--no-station", no_station, "Without the ground station and its page");

@@ -18,6 +18,7 @@ struct FlightSpec {
   std::optional<std::uint64_t> seed;  // of the scenario; none: the scenario's own
   double speed = 1.0;                 // simulated seconds in a second
   std::string map = "depth";          // or "known": the true one, and no mapping
+  bool camera = false;                // rendered images instead of landmarks
   std::string vehicle = "uav1";
   int domain = 0;
   std::string params_file;  // of the stages; empty: defaults

@@ -91,7 +91,8 @@ std::string to_text(const FlightSummary& s) {
   std::string text = fmt::format("\nFlight of {}: {:.1f} s, {:.1f} m flown, {} plans\n\n",
                                  s.scenario, s.metrics.duration_s, s.path_length_m, s.plans);
   if (s.wall_s > 1.2 * s.metrics.duration_s)
-    text += fmt::format("  It took {:.1f} s here: slower than real time.\n\n", s.wall_s);
+    text += fmt::format("  It took {:.1f} s here: {:.2f} of real time.\n\n", s.wall_s,
+                        s.metrics.duration_s / s.wall_s);
   return text + tracking(s.metrics) + times(s) + services(s);
 }
 

@@ -21,13 +21,17 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
+// What comes before the separator, which is cut off with it.
+std::string_view cut(std::string_view& text, char separator) {
+  const auto end = text.find(separator);
+  const std::string_view first = text.substr(0, end);
+  text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+  return first;
+}
+
 template <class Visit>
 void for_each_line(std::string_view text, Visit visit) {
-  for (int number = 1; !text.empty(); ++number) {
-    const auto end = std::min(text.find('\n'), text.size());
-    visit(text.substr(0, end), number);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  for (int number = 1; !text.empty(); ++number) visit(cut(text, '\n'), number);
 }
 
 template <class Number>
@@ -68,11 +72,7 @@ struct Reader {
   }
   int vertex(std::string_view word) {
     std::array<std::string_view, 3> parts;
-    for (auto& part : parts) {
-      const auto end = std::min(word.find('/'), word.size());
-      part = word.substr(0, end);
-      word.remove_prefix(std::min(end + 1, word.size()));
-    }
+    for (auto& part : parts) part = cut(word, '/');
     std::array<int, 3> key = {index(parts[0], positions.size()), -1, -1};
     if (!parts[1].empty()) key[1] = index(parts[1], pictures.size());
     if (!parts[2].empty()) key[2] = index(parts[2], normals.size());
