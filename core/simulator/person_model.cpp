@@ -12,7 +12,7 @@ namespace {
 using Vec3f = Eigen::Vector3f;
 using Bend = Eigen::Transform<float, 3, Eigen::AffineCompact>;
 
-enum Bone { kTorso, kHead, kUpperArm, kForearm = 4, kThigh = 6, kShank = 8, kFoot = 10 };
+enum Bone { kTorsoBone, kHead, kUpperArm, kForearm = 4, kThigh = 6, kShank = 8, kFoot = 10 };
 
 // A bone as the skin sees it: all within the radius of the segment.
 struct Capsule {
@@ -30,17 +30,18 @@ std::vector<Capsule> capsules_of(const Skeleton& s) {
   const Vec3f hips = 0.5F * (s.hip[0] + s.hip[1]), neck = 0.5F * (s.shoulder[0] + s.shoulder[1]);
   const Vec3f top(neck.x(), neck.y(), 1.0F);
   std::vector<Capsule> capsules = {
-      {kTorso, hips, neck, 0.075F},
-      {kTorso, 0.8F * s.hip[0] + 0.2F * hips, 0.8F * s.hip[1] + 0.2F * hips, 0.045F},
-      {kTorso, 0.75F * s.shoulder[0] + 0.25F * neck, 0.75F * s.shoulder[1] + 0.25F * neck, 0.035F},
+      {kTorsoBone, hips, neck, 0.075F},
+      {kTorsoBone, 0.8F * s.hip[0] + 0.2F * hips, 0.8F * s.hip[1] + 0.2F * hips, 0.045F},
+      {kTorsoBone, 0.75F * s.shoulder[0] + 0.25F * neck, 0.75F * s.shoulder[1] + 0.25F * neck,
+       0.035F},
       {kHead, 0.7F * neck + 0.3F * top, top, 0.05F}};
   for (int i = 0; i < 2; ++i) {
     if (s.arms_swing) {
       capsules.push_back({kUpperArm + i, s.shoulder[i], s.elbow[i], 0.028F});
       capsules.push_back({kForearm + i, s.elbow[i], s.fingertips[i], 0.020F});
     } else {
-      capsules.push_back({kTorso, s.shoulder[i], s.elbow[i], 0.06F});
-      capsules.push_back({kTorso, s.elbow[i], s.fingertips[i], 0.06F});
+      capsules.push_back({kTorsoBone, s.shoulder[i], s.elbow[i], 0.06F});
+      capsules.push_back({kTorsoBone, s.elbow[i], s.fingertips[i], 0.06F});
     }
     capsules.push_back({kThigh + i, s.hip[i] - Vec3f(0, 0, 0.03F), s.knee[i], 0.045F});
     capsules.push_back({kShank + i, s.knee[i], s.ankle[i], 0.032F});
@@ -142,7 +143,7 @@ std::array<Bend, kBoneCount> bends_of(const PersonModel& model,
   p.upright.col(2) = up;
   const Vec3f rest_neck = 0.5F * (s.shoulder[0] + s.shoulder[1]);
   const Vec3f rest_hips = 0.5F * (s.hip[0] + s.hip[1]);
-  p.bends[kTorso] = p.bend(rest_hips, rest_neck, hips, neck);
+  p.bends[kTorsoBone] = p.bend(rest_hips, rest_neck, hips, neck);
   const Vec3f top = neck + p.height * static_cast<float>(1.0 - kShoulderShare) * up;
   p.bends[kHead] = p.bend(rest_neck, Vec3f(rest_neck.x(), rest_neck.y(), 1.0F), neck, top);
   for (int i = 0; i < 2; ++i) {

@@ -5,7 +5,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kNear_m = 0.05;
+constexpr double kNearPlane_m = 0.05;
 constexpr std::size_t kMaxCorners = 8;
 
 // The part of a polygon in front of the camera, in the image.
@@ -23,12 +23,12 @@ Outline clip(const CameraModel& camera, std::span<const Corner> polygon) {
   Vec3 last = polygon.back().camera_m.cast<double>();
   for (const Corner& corner : polygon) {
     const Vec3 p = corner.camera_m.cast<double>();
-    const bool in = p.z() >= kNear_m;
-    if (in != (last.z() >= kNear_m)) {
+    const bool in = p.z() >= kNearPlane_m;
+    if (in != (last.z() >= kNearPlane_m)) {
       // From the nearer end, so that neighbours cut their common edge at the same point.
       const Vec3 &a = in ? p : last, &b = in ? last : p;
-      Vec3 cut = a + (a.z() - kNear_m) / (a.z() - b.z()) * (b - a);
-      cut.z() = kNear_m;
+      Vec3 cut = a + (a.z() - kNearPlane_m) / (a.z() - b.z()) * (b - a);
+      cut.z() = kNearPlane_m;
       add(cut);
     }
     if (in) add(p);

@@ -7,7 +7,7 @@ namespace foretrack {
 namespace {
 
 // The polyline with what happens at each of its points.
-struct Corner {
+struct WalkCorner {
   Vec2 point = Vec2::Zero();
   Vec2 out = Vec2::Zero();  // unit direction after it
   double half_sine = 0.0;   // of half the turning angle
@@ -17,15 +17,15 @@ struct Corner {
   }
 };
 
-std::vector<Corner> corners_of(std::span<const Vec2> route, const WalkLimits& limits) {
-  std::vector<Corner> corners;
+std::vector<WalkCorner> corners_of(std::span<const Vec2> route, const WalkLimits& limits) {
+  std::vector<WalkCorner> corners;
   for (const Vec2& p : route)
     if (corners.empty() || (p - corners.back().point).norm() > 1e-6)
       corners.push_back({.point = p});
   for (std::size_t i = 0; i + 1 < corners.size(); ++i)
     corners[i].out = (corners[i + 1].point - corners[i].point).normalized();
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    Corner& c = corners[i];
+    WalkCorner& c = corners[i];
     c.half_sine = 0.5 * (c.out - corners[i - 1].out).norm();
     const double room_m = 0.5 * std::min((c.point - corners[i - 1].point).norm(),
                                          (corners[i + 1].point - c.point).norm());
@@ -36,13 +36,13 @@ std::vector<Corner> corners_of(std::span<const Vec2> route, const WalkLimits& li
   return corners;
 }
 
-double straight_m(const Corner& a, const Corner& b, double acceleration) {
+double straight_m(const WalkCorner& a, const WalkCorner& b, double acceleration) {
   return (b.point - a.point).norm() - a.reach_m(acceleration) - b.reach_m(acceleration);
 }
 
 // Lowers corner speeds until each can be reached from its neighbours (both end at rest).
-void limit_speeds(std::vector<Corner>& corners, double acceleration) {
-  const auto limit = [&](const Corner& from, Corner& to) {
+void limit_speeds(std::vector<WalkCorner>& corners, double acceleration) {
+  const auto limit = [&](const WalkCorner& from, WalkCorner& to) {
     const double length_m = std::max(0.0, straight_m(from, to, acceleration));
     const double reachable =
         std::sqrt(from.speed_m_s * from.speed_m_s + 2.0 * acceleration * length_m);
@@ -116,7 +116,7 @@ Walk walk_along(std::span<const Vec2> route, const WalkLimits& limits) {
   limit_speeds(corners, a);
   Writer writer{.walk = {}, .position_m = corners[0].point};
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    const Corner& next = corners[i + 1];
+    const WalkCorner& next = corners[i + 1];
     writer.straight(std::max(0.0, straight_m(corners[i], next, a)), corners[i].out, next.speed_m_s,
                     limits);
     const Vec2 turn = next.speed_m_s * (next.out - corners[i].out);

@@ -212,7 +212,7 @@ void draw_stops(const RandomStops& random_stops, const Scenario& s, PersonParams
 }
 
 // Puts a value where the file would have it; mappings on the way are made.
-void apply_setting(const std::string& setting, YAML::Node document) {
+void apply_setting(const std::string& setting, const YAML::Node& document) {
   const auto equals = setting.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
     refuse_setting(setting);

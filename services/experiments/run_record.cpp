@@ -13,7 +13,7 @@ constexpr double kPassReach_m = 2.5;
 constexpr double kSettled_s = 3.0;  // the beginning, when all stand, does not count in the map
 constexpr int kPlaceEvery = 5, kWindowEvery = 20, kViewEvery = 10;  // rows
 constexpr double kChi2Of90 = 4.605170185988092;                     // two degrees of freedom
-constexpr double kWalking_m_s = 0.3;
+constexpr double kLeastWalking_m_s = 0.3;
 
 EventOutcome outcome_of(const EventRecord& r) {
   return {r.event.begin_s, r.success, r.min_distance_m, r.longest_loss_s, r.collided};
@@ -82,7 +82,7 @@ double mean_walking_speed(Rows rows) {
   int count = 0;
   for (const FlightRow& row : rows) {
     const double speed = row.target.velocity_enu_m_s.head<2>().norm();
-    if (speed > kWalking_m_s) sum += speed, ++count;
+    if (speed > kLeastWalking_m_s) sum += speed, ++count;
   }
   return count > 0 ? sum / count : 0.0;
 }

@@ -13,14 +13,14 @@ namespace foretrack {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kMostSide_px = 16384;
+constexpr int kMostFrameSide_px = 16384;
 constexpr double kUsualRate_hz = 30.0;
 
 RgbImage rgb_of(const cv::Mat& bgr, const std::string& name) {
-  if (bgr.cols > kMostSide_px || bgr.rows > kMostSide_px)
+  if (bgr.cols > kMostFrameSide_px || bgr.rows > kMostFrameSide_px)
     throw std::runtime_error(name + ": " + std::to_string(bgr.cols) + " × " +
                              std::to_string(bgr.rows) + " pixels; at most " +
-                             std::to_string(kMostSide_px) + " a side");
+                             std::to_string(kMostFrameSide_px) + " a side");
   RgbImage image{bgr.cols, bgr.rows, {}};
   image.rgb.resize(3 * bgr.total());
   cv::Mat rgb(bgr.rows, bgr.cols, CV_8UC3, image.rgb.data());
