@@ -13,7 +13,8 @@ void* operator new(std::size_t size) {
   if (void* p = std::malloc(size)) return p;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // the standard's own buffers
+void* operator new(std::size_t size,
+                   const std::nothrow_t&) noexcept {  // the standard's own buffers
   ++count;
   return std::malloc(size);
 }
