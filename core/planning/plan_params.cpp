@@ -34,8 +34,10 @@ ParamRows rows(PlaceParams& p) {
   return {
       {"distance_low_m", &p.distance_low_m, "m", 0.5, 20.0, "least distance to the target (d_l)"},
       {"distance_high_m", &p.distance_high_m, "m", 0.6, 30.0, "greatest distance (d_u)"},
-      {"distance_reserve_m", &p.distance_reserve_m, "m", 0.0, 5.0,
+      {"reserve_low_m", &p.reserve_low_m, "m", 0.0, 5.0,
        "kept beyond the least distance, for what the vehicle needs to react"},
+      {"reserve_high_m", &p.reserve_high_m, "m", 0.0, 5.0,
+       "kept short of the greatest distance, for what the vehicle needs to catch up"},
       {"distance_extra_m", &p.distance_extra_m, "m", 0.0, 5.0,
        "added to the least distance as deceleration grows likely (d_ε)"},
       {"ring_tolerance_m", &p.ring_tolerance_m, "m", 0.05, 2.0,

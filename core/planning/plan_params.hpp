@@ -1,6 +1,8 @@
 // Parameters of the whole planning stage.
 #pragma once
 
+#include <algorithm>
+
 #include "core/common/params.hpp"
 #include "core/planning/check_trajectory.hpp"
 #include "core/planning/flight_limits.hpp"
@@ -28,7 +30,8 @@ struct HorizonParams {
 struct PlaceParams {
   double distance_low_m = 1.5;         // d_l
   double distance_high_m = 2.5;        // d_u
-  double distance_reserve_m = 0.3;     // kept beyond d_l, for what the vehicle needs to react
+  double reserve_low_m = 0.3;          // kept beyond d_l, for what the vehicle needs to react
+  double reserve_high_m = 0.3;         // kept short of d_u, for what it needs to catch up
   double distance_extra_m = 0.6;       // d_ε
   double ring_tolerance_m = 0.2;       // of the wanted distance, the middle of the band
   double margin_min_rad = 0.12;        // θ_0
@@ -44,7 +47,8 @@ struct PlaceParams {
   double segment_max_m = 2.5;          // length of path in one polytope
   int polytopes_max = 5;
 
-  double distance_kept_m() const { return distance_low_m + distance_reserve_m; }
+  double kept_low_m() const { return distance_low_m + reserve_low_m; }
+  double kept_high_m() const { return std::max(distance_high_m - reserve_high_m, kept_low_m()); }
 };
 
 /// Field of view and what the camera's axes may do.
@@ -68,9 +72,7 @@ struct PlanningParams {
   OptimizerParams optimizer;
   CheckParams check;
 
-  double distance_wanted_m() const {
-    return 0.5 * (place.distance_kept_m() + place.distance_high_m);
-  }
+  double distance_wanted_m() const { return 0.5 * (place.kept_low_m() + place.kept_high_m()); }
   double path_clearance_m() const { return check.vehicle_radius_m + place.search_clearance_m; }
 };
 /// Every row of every part, in the order above.

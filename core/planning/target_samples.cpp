@@ -80,10 +80,10 @@ class Sampling {
       s.next_bisector_rad = next.visible.bisector_rad;
       s.next_half_angle_rad = next.visible.half_angle_rad;
     }
-    s.distance_high_m = params_.place.distance_high_m;
-    s.distance_low_m = std::min(
-        params_.place.distance_kept_m() + params_.place.distance_extra_m * score_decelerate,
-        params_.place.distance_high_m);
+    s.distance_high_m = params_.place.kept_high_m();
+    s.distance_low_m =
+        std::min(params_.place.kept_low_m() + params_.place.distance_extra_m * score_decelerate,
+                 params_.place.kept_high_m());
     return s;
   }
 

@@ -64,8 +64,8 @@ bool visible_sector(const SearchContext& context, const Vec3& target_enu_m, cons
                     ViewSector& sector) {
   const Vec2 offset = (waypoint - target_enu_m).head<2>();
   const RingSight sight(context, target_enu_m,
-                        std::clamp(offset.norm(), context.params.place.distance_kept_m(),
-                                   context.params.place.distance_high_m));
+                        std::clamp(offset.norm(), context.params.place.kept_low_m(),
+                                   context.params.place.kept_high_m()));
   const double angle_rad = yaw_of(offset);
   if (sight.all_free()) {
     sector = {angle_rad, 0.5 * kPi};

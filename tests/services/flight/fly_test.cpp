@@ -53,7 +53,7 @@ TEST(Fly, TheTrackerKeepsAStraightWalkInView) {
   const FlightResult flight = fly(straight_walk(), {});
   EXPECT_LT(flight.metrics.failure_rate, 0.02);
   EXPECT_EQ(flight.metrics.collisions, 0);
-  EXPECT_GT(flight.metrics.band_share, 0.6);
+  EXPECT_GT(flight.metrics.band_share, 0.8);
   EXPECT_GT(flight.metrics.plan_ms.p50, 0.0);
 }
 
