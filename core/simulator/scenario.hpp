@@ -26,6 +26,9 @@ struct TargetSpec {
 
 enum class MapSource : std::uint8_t { kKnown, kDepth };
 inline constexpr std::array<std::string_view, 2> kMapSourceNames = {"known", "depth"};
+constexpr std::string_view to_string(MapSource map) {
+  return kMapSourceNames[static_cast<std::size_t>(map)];
+}
 
 struct Scenario {
   std::string name = "unnamed";

@@ -49,10 +49,9 @@ void print_cells(const BenchResults& r) {
     fmt::print(
         "{:<28}{:<13}{:<7}{:>5.2f}  {:>4}/{:<4}  {:>5.1f} … {:>5.1f}  {:>6.2f}  {:>6.2f}  {:>5.2f}"
         "  {:>5.2f}  {:>4}\n",
-        c.key.experiment, c.key.method, kMapSourceNames[static_cast<std::size_t>(c.key.map)],
-        c.target_speed_m_s, c.successes, c.events, 100.0 * c.success_95.low,
-        100.0 * c.success_95.high, 100.0 * c.failure_rate, 100.0 * c.occlusion_rate,
-        100.0 * c.near_rate, c.min_distance_m, c.collisions);
+        c.key.experiment, c.key.method, to_string(c.key.map), c.target_speed_m_s, c.successes,
+        c.events, 100.0 * c.success_95.low, 100.0 * c.success_95.high, 100.0 * c.failure_rate,
+        100.0 * c.occlusion_rate, 100.0 * c.near_rate, c.min_distance_m, c.collisions);
 }
 
 void print_comparisons(const BenchResults& r) {
@@ -63,9 +62,9 @@ void print_comparisons(const BenchResults& r) {
     fmt::print(
         "{:<28}{:<13}{:<7} only ours succeeded {:>4}, only theirs {:>4}, p = {:<9.2g} {:<16}"
         " failure rate {:+.2f} … {:+.2f} points\n",
-        c.key.experiment, c.key.method, kMapSourceNames[static_cast<std::size_t>(c.key.map)],
-        c.only_ours, c.only_theirs, c.p, c.significant() ? "significant" : "not significant",
-        100.0 * c.failure_difference.low, 100.0 * c.failure_difference.high);
+        c.key.experiment, c.key.method, to_string(c.key.map), c.only_ours, c.only_theirs, c.p,
+        c.significant() ? "significant" : "not significant", 100.0 * c.failure_difference.low,
+        100.0 * c.failure_difference.high);
 }
 
 void print_failures(const BenchResults& r) {

@@ -144,7 +144,7 @@ Json json_of(const BenchResults& r, const CellSummary& cell) {
                                     [&](std::size_t i) { return r.records[i].failed(); });
   return {{"experiment", cell.key.experiment},
           {"method", cell.key.method},
-          {"map", kMapSourceNames[static_cast<std::size_t>(cell.key.map)]},
+          {"map", to_string(cell.key.map)},
           {"target_speed_m_s", cell.target_speed_m_s},
           {"flights", cell.runs.size()},
           {"flights_failed", failed},

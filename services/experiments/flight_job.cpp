@@ -30,9 +30,8 @@ std::string quoted(const std::string& text) {
 
 std::string command_of(const Run& run, const std::string& params) {
   const ScenarioOverrides& o = run.overrides;
-  std::string text =
-      fmt::format("foretrack fly --scenario {} --seed {} --map {} --for {:g}", quoted(run.world),
-                  *o.seed, kMapSourceNames[static_cast<std::size_t>(*o.map)], *o.duration_s);
+  std::string text = fmt::format("foretrack fly --scenario {} --seed {} --map {} --for {:g}",
+                                 quoted(run.world), *o.seed, to_string(*o.map), *o.duration_s);
   if (o.track_file)
     text += fmt::format(" --track {} --pedestrian {} --track-rate {:g}", quoted(*o.track_file),
                         *o.pedestrian, *o.track_rate_hz);

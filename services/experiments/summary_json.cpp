@@ -11,14 +11,10 @@ Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-std::string_view name_of(MapSource map) {
-  return kMapSourceNames[static_cast<std::size_t>(map)];
-}
-
 Json json_of(const CellSummary& c) {
   return {{"experiment", c.key.experiment},
           {"method", c.key.method},
-          {"map", name_of(c.key.map)},
+          {"map", to_string(c.key.map)},
           {"target_speed_m_s", c.target_speed_m_s},
           {"events", c.events},
           {"successes", c.successes},
@@ -43,7 +39,7 @@ Json json_of(const CellSummary& c) {
 
 Json json_of(const Comparison& c) {
   return {{"experiment", c.key.experiment},
-          {"map", name_of(c.key.map)},
+          {"map", to_string(c.key.map)},
           {"target_speed_m_s", c.key.target_speed_m_s},
           {"ours", kOurs},
           {"theirs", c.key.method},

@@ -12,10 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view map_name_of(MapSource map) {
-  return kMapSourceNames[static_cast<std::size_t>(map)];
-}
-
 void make_folder_of(const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
@@ -39,7 +35,7 @@ std::string flights_csv_of(const BenchResults& r) {
     for (const EventOutcome& e : record.events) successes += e.success;
     text += fmt::format(
         "{},{},{},{:g},{},{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{},{},\"{}\"\n",
-        job.cell.experiment, job.cell.method, map_name_of(job.cell.map), job.cell.target_speed_m_s,
+        job.cell.experiment, job.cell.method, to_string(job.cell.map), job.cell.target_speed_m_s,
         job.world, *job.overrides.seed, record.events.size(), successes, m.failure_rate,
         m.occlusion_rate, m.fov_loss_rate, m.near_rate, m.band_share, m.min_distance_m,
         m.min_clearance_m, m.collisions, record.log_sha256, job.command);
@@ -49,7 +45,7 @@ std::string flights_csv_of(const BenchResults& r) {
 
 std::string log_name_of(const FlightJob& job) {
   std::string name = fmt::format("{}/{}-{}-{:.1f}-{}-{}", job.cell.experiment, job.cell.method,
-                                 map_name_of(job.cell.map), job.cell.target_speed_m_s,
+                                 to_string(job.cell.map), job.cell.target_speed_m_s,
                                  fs::path(job.world).stem().string(), *job.overrides.seed);
   if (job.overrides.pedestrian)
     name += fmt::format("-{}-{}", fs::path(*job.overrides.track_file).stem().string(),

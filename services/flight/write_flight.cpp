@@ -39,7 +39,7 @@ std::string scenario_json_of(const FlightResult& flight, const MetricParams& par
     turns.push_back({{"begin_s", turn.event.begin_s}, {"success", turn.success}});
   const Json json = {{"name", flight.scenario.name},
                      {"seed", flight.scenario.seed},
-                     {"map", kMapSourceNames[static_cast<std::size_t>(flight.scenario.map)]},
+                     {"map", to_string(flight.scenario.map)},
                      {"bounds_min_m", json_of_point(world.min_m)},
                      {"bounds_max_m", json_of_point(world.max_m)},
                      {"band_m", {params.band_low_m, params.band_high_m}},
