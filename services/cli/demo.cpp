@@ -86,6 +86,7 @@ int run(DemoArguments arguments) {
   options.scenario = load_scenario(spec.scenario, overrides);
   spec.duration_s = options.scenario.duration_s;
   spec.seed = overrides.seed;
+  spec.settings = overrides.settings;
   if (overrides.track_file) spec.track_file = *overrides.track_file;
   if (overrides.pedestrian) spec.pedestrian = *overrides.pedestrian;
   std::optional<FreeDomain> own;
@@ -115,6 +116,8 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_option("--for", overrides.duration_s, "Seconds; default: the scenario's")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", overrides.seed, "Of everything random in the scenario");
+  app.add_option("--set", overrides.settings,
+                 "KEY=VALUE of the scenario instead of the file's, as target.speed_m_s=2.0");
   app.add_option("--track", overrides.track_file, "Walk as a pedestrian of this recording")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", overrides.pedestrian, "Which pedestrian of the recording");

@@ -50,6 +50,7 @@ ProcessSpec simulator_process(const FlightSpec& spec) {
     words.push_back("--endless");
   if (spec.seed) add("--seed", std::to_string(*spec.seed));
   if (!spec.track_file.empty()) add("--track", spec.track_file);
+  for (const auto& setting : spec.settings) add("--set", setting);
   if (spec.pedestrian >= 0) add("--pedestrian", std::to_string(spec.pedestrian));
   return result;
 }

@@ -14,6 +14,7 @@ struct FlightSpec {
   std::string scenario = "t_intersection";  // shipped name or file
   std::string track_file;                   // walk as this recorded pedestrian; empty: no
   int pedestrian = -1;
+  std::vector<std::string> settings;  // KEY=VALUE of the scenario
   double duration_s = 0.0;            // of simulated time; 0: for ever
   std::optional<std::uint64_t> seed;  // of the scenario; none: the scenario's own
   double speed = 1.0;                 // simulated seconds in a second

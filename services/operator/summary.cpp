@@ -48,7 +48,13 @@ std::string times(const FlightSummary& s) {
         fmt::format("  {:<20}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}\n", name, q.p50, q.p95, q.p99, q.max);
   };
   for (const auto& [name, quantiles] : s.stage_ms) line(name, quantiles);
-  line("image to setpoint", s.latency_ms);  // the camera's own delay is in it
+  line("image to setpoint", s.latency_ms);
+  const double camera_ms = s.camera_delay_ms;
+  if (camera_ms > 0.0)
+    line("  after the camera", {.p50 = s.latency_ms.p50 - camera_ms,
+                                .p95 = s.latency_ms.p95 - camera_ms,
+                                .p99 = s.latency_ms.p99 - camera_ms,
+                                .max = s.latency_ms.max - camera_ms});
   return text;
 }
 
@@ -106,7 +112,8 @@ std::string to_json_text(const FlightSummary& s) {
                {"path_length_m", s.path_length_m},
                {"plans", s.plans},
                {"metrics", Json::parse(foretrack::json_of(s.metrics))},
-               {"latency_ms", json_of(s.latency_ms)}};
+               {"latency_ms", json_of(s.latency_ms)},
+               {"camera_delay_ms", s.camera_delay_ms}};
   for (const auto& [name, quantiles] : s.stage_ms) json["stage_ms"][name] = json_of(quantiles);
   for (const auto& [name, of] : s.services) json["services"][name] = json_of(of);
   json["onboard"] = json_of(s.onboard);

@@ -25,6 +25,7 @@ struct FlightSummary {
   double path_length_m = 0.0;
   int plans = 0;
   Quantiles latency_ms;                       // image's stamp → setpoint
+  double camera_delay_ms = 0.0;               // the simulated camera's part of it
   std::map<std::string, Quantiles> stage_ms;  // "plan", "plan: corridor", "predict", …
   std::map<std::string, ServiceSummary> services;
   ServiceSummary onboard;  // all services on the vehicle together
