@@ -60,6 +60,6 @@ int main(int argc, char** argv) {
                     network.landmarks->input());
     });
     if (model == 0)
-      measure("detector", count, [&](int) { detect_people(image, *network.detector, 0.5); });
+      measure("detector", count, [&](int) { detect_people(image, whole_of(image), *network.detector, 0.5); });
   }
 }

@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "core/perception/expected_place.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "services/people/load_person.hpp"
@@ -92,8 +93,9 @@ struct Scene {
     const double begin_s = cpu_s();
     render(camera, vehicle, person.state, walk.height_m);
     const double rendered_s = cpu_s();
-    const PoseResult result =
-        perceive_image(eye, camera.image.pixels, vehicle.stamp_s, network, params);
+    const PoseResult result = perceive_image(
+        eye, camera.image.pixels, vehicle.stamp_s, network, params,
+        expected_place(filter, vehicles, camera.params.camera, vehicle.stamp_s, params));
     scores.render_ms += 1e3 * (rendered_s - begin_s);
     scores.network_ms += 1e3 * (cpu_s() - rendered_s);
     ++scores.frames;

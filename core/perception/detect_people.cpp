@@ -30,14 +30,15 @@ double overlap(const Detection& a, const Detection& b) {
 }
 
 // Numbers are in pixels of the network's input, around the anchor.
-Detection decode(const float* numbers, const Vec2& anchor, double score, const ImageRegion& whole) {
+Detection decode(const float* numbers, const Vec2& anchor, double score,
+                 const ImageRegion& window) {
   const auto pair = [&](int k) -> Vec2 { return Vec2(numbers[k], numbers[k + 1]) / kDetectorSide; };
   Detection d;
   d.score = score;
   const Vec2 middle = anchor + pair(0), half = 0.5 * pair(2);
-  d.box_min_px = whole.image_px(middle - half);
-  d.box_max_px = whole.image_px(middle + half);
-  for (int k = 0; k < 4; ++k) d.points_px[k] = whole.image_px(anchor + pair(4 + 2 * k));
+  d.box_min_px = window.image_px(middle - half);
+  d.box_max_px = window.image_px(middle + half);
+  for (int k = 0; k < 4; ++k) d.points_px[k] = window.image_px(anchor + pair(4 + 2 * k));
   return d;
 }
 
@@ -48,7 +49,7 @@ bool is_finite(const Detection& d) {
 }
 
 std::vector<Detection> decode_all(std::span<const float> numbers, std::span<const float> logits,
-                                  const ImageRegion& whole, double min_score) {
+                                  const ImageRegion& window, double min_score) {
   std::vector<Detection> found;
   std::size_t k = 0;
   for (const Grid& grid : kGrids)
@@ -59,7 +60,7 @@ std::vector<Detection> decode_all(std::span<const float> numbers, std::span<cons
         const double logit = std::clamp<double>(logits[k], -kMostLogit, kMostLogit);
         const double score = 1.0 / (1.0 + std::exp(-logit));
         if (!(score >= min_score)) continue;
-        const Detection d = decode(&numbers[k * kAnchorNumbers], anchor, score, whole);
+        const Detection d = decode(&numbers[k * kAnchorNumbers], anchor, score, window);
         if (is_finite(d)) found.push_back(d);
       }
     }
@@ -107,13 +108,16 @@ std::vector<Detection> suppress(std::vector<Detection> found) {
 
 }  // namespace
 
-std::vector<Detection> detect_people(const RgbImage& image, Inference& detector, double min_score) {
-  ImageRegion whole;
-  whole.centre_px = {0.5 * image.width_px, 0.5 * image.height_px};
-  whole.size_px = std::max(image.width_px, image.height_px);
-  sample_region(image, whole, Border::kBlack, kDetectorSide, 2.0f, -1.0f, detector.input());
+std::vector<Detection> detect_people(const RgbImage& image, const ImageRegion& window,
+                                     Inference& detector, double min_score) {
+  sample_region(image, window, Border::kBlack, kDetectorSide, 2.0f, -1.0f, detector.input());
   detector.run();
-  return suppress(decode_all(detector.output(0), detector.output(1), whole, min_score));
+  return suppress(decode_all(detector.output(0), detector.output(1), window, min_score));
+}
+
+ImageRegion whole_of(const RgbImage& image) {
+  const double side_px = std::max(image.width_px, image.height_px);
+  return {{0.5 * image.width_px, 0.5 * image.height_px}, side_px, 0.0};
 }
 
 ImageRegion region_of_body(const Vec2& middle_px, const Vec2& end_px) {

@@ -19,8 +19,13 @@ struct Detection {
 };
 
 /// Everybody, the most certain first; scores at least min_score. Boxes that overlap (intersection
-/// over union above 0.3) are averaged by their scores. Cost: about 30 ms.
-std::vector<Detection> detect_people(const RgbImage& image, Inference& detector, double min_score);
+/// over union above 0.3) are averaged by their scores. `window`: what is looked at, 224 × 224
+/// pixels of it. Cost: about 11 ms.
+std::vector<Detection> detect_people(const RgbImage& image, const ImageRegion& window,
+                                     Inference& detector, double min_score);
+
+/// The smallest square that holds the image.
+ImageRegion whole_of(const RgbImage& image);
 
 /// The square around a body from its middle to a point that is half its size away.
 ImageRegion region_of_body(const Vec2& middle_px, const Vec2& end_px);

@@ -20,7 +20,7 @@ ParamRows rows(PerceptionParams& p) {
        "after this time anybody may be the person"},
       {"target_height_m", &p.target_height_m, "m", 0.5, 2.5, "height of the followed person"},
       {"landmark_height_m", &p.landmark_height_m, "m", 0.5, 2.5,
-       "height that the landmarks' source assumes of everybody (BlazePose: 1.70)"},
+       "height that the landmarks' source assumes of everybody (BlazePose: 1.62)"},
       {"min_visibility", &p.min_visibility, "1", 0.0, 1.0, "landmarks below it are not used"},
       {"min_landmarks", &p.min_landmarks, "1", 4, 33, "fewer agreeing landmarks are no pose"},
       {"consensus_samples", &p.consensus_samples, "1", 1, 500, "pairs tried to find the start"},

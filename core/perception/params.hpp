@@ -10,13 +10,13 @@ struct PerceptionParams {
   int model_complexity = 0;  // of the pose network; see PoseModel
   double min_detection_score = 0.5;
   double min_pose_score = 0.5;
-  double detector_period_s = 0.2;
+  double detector_period_s = 0.03;
   double jump_ratio = 0.3;
   double choice_gate_ratio = 0.5;
   double choice_memory_s = 2.0;
   // Landmarks → pose of the body in the camera.
   double target_height_m = 1.75;    // of the person who is followed
-  double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.70)
+  double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.62)
   double min_visibility = 0.5;
   int min_landmarks = 8;
   int consensus_samples = 24;

@@ -8,6 +8,7 @@ namespace foretrack {
 namespace {
 
 constexpr int kMostSide_px = 16384;
+constexpr double kRegionOverBody = 1.25;  // side of a region over the height of who stands in it
 
 bool is_picture(const RgbImage& image) {
   const auto fits = [](int side) { return side >= 1 && side <= kMostSide_px; };
@@ -21,6 +22,7 @@ void remember(PoseState& state, const PersonPose& person, double stamp_s) {
   state.torso_px = person.torso_px();
   state.size_px = person.tracked.size_px;
   state.seen_s = stamp_s;
+  state.looks = 0;
 }
 
 // Where the chosen person may be; none: anybody may be chosen.
@@ -30,7 +32,8 @@ std::optional<ExpectedPlace> place_of_chosen(const PoseState& state, double stam
   if (expected) return expected;
   const double age_s = stamp_s - state.seen_s;
   if (age_s > params.choice_memory_s) return std::nullopt;
-  return ExpectedPlace{state.torso_px, state.size_px * params.choice_gate_ratio * (1.0 + age_s)};
+  return ExpectedPlace{state.torso_px, state.size_px * params.choice_gate_ratio * (1.0 + age_s),
+                       state.size_px / kRegionOverBody};
 }
 
 // Middle of the torso: halfway between hips and shoulders.
@@ -56,13 +59,15 @@ Choice choose(const std::vector<Detection>& people, const std::optional<Expected
   return choice;
 }
 
-void look_everywhere(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
-                     const PerceptionParams& params, const std::optional<ExpectedPlace>& place,
-                     PoseResult& result) {
-  state.looked_s = stamp_s;
-  const auto people = detect_people(image, *network.detector, params.min_detection_score);
-  const Choice choice = choose(people, place);
+void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
+            const PerceptionParams& params, const std::optional<ExpectedPlace>& place,
+            PoseResult& result) {
   result.status = PoseStatus::kNobody;
+  state.looked_s = stamp_s;
+  const auto window = search_window(image, place, state.looks++);
+  if (!window) return;
+  const auto people = detect_people(image, *window, *network.detector, params.min_detection_score);
+  const Choice choice = choose(people, place);
   result.candidates = static_cast<int>(people.size());
   result.ambiguous = choice.possible > 1;
   if (!choice.person) return;
@@ -104,7 +109,7 @@ PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_
   result.status = PoseStatus::kNotLooked;
   if (stamp_s - state.looked_s < params.detector_period_s) return result;
   const auto place = place_of_chosen(state, stamp_s, params, expected);
-  look_everywhere(state, image, stamp_s, network, params, place, result);
+  search(state, image, stamp_s, network, params, place, result);
   return result;
 }
 
@@ -112,10 +117,14 @@ std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,
                                     const PerceptionParams& params) {
   std::vector<PersonPose> people;
   if (!is_picture(image)) return people;
-  for (const auto& d : detect_people(image, *network.detector, params.min_detection_score))
-    if (const auto found = find_landmarks(image, region_of_body(d.points_px[0], d.points_px[1]),
-                                          *network.landmarks, params.min_pose_score))
-      people.push_back(*found);
+  for (int look = 0; look < kMostWindows && people.empty(); ++look) {
+    const ImageRegion window = *search_window(image, std::nullopt, look);
+    for (const auto& d :
+         detect_people(image, window, *network.detector, params.min_detection_score))
+      if (const auto found = find_landmarks(image, region_of_body(d.points_px[0], d.points_px[1]),
+                                            *network.landmarks, params.min_pose_score))
+        people.push_back(*found);
+  }
   return people;
 }
 

@@ -12,13 +12,14 @@
 #include "core/perception/find_landmarks.hpp"
 #include "core/perception/params.hpp"
 #include "core/perception/pose_network.hpp"
+#include "core/perception/search_window.hpp"
 
 namespace foretrack {
 
 enum class PoseStatus : std::uint8_t {
   kTracked,    // found in the region that the last image gave
   kDetected,   // found by the detector, and chosen
-  kNobody,     // looked everywhere, and nobody is there (or nobody within the gate)
+  kNobody,     // nobody in the window (or nobody within the gate)
   kNotLooked,  // lost, and the detector waits for its turn
   kBadImage,   // no pixels, or their number is not width × height
 };
@@ -32,12 +33,6 @@ struct PoseResult {
   bool found() const { return status == PoseStatus::kTracked || status == PoseStatus::kDetected; }
 };
 
-/// Where the chosen person should be in this image, e.g. as the filter predicts.
-struct ExpectedPlace {
-  Vec2 torso_px = Vec2::Zero();
-  double gate_px = 0.0;  // farther away it is somebody else
-};
-
 /// What is kept from image to image. A plain value; the caller owns it.
 struct PoseState {
   std::optional<ImageRegion> region;  // none: lost
@@ -45,12 +40,14 @@ struct PoseState {
   double size_px = 0.0;               // of their region then
   double seen_s = -1e9;
   double looked_s = -1e9;  // when the detector ran last
+  int looks = 0;           // of the detector since then
 };
 
 /// Landmarks of the chosen person: in the region from the last image while they are tracked, by the
-/// detector (at most once in detector_period_s) otherwise. The first time, the most certain person
-/// is chosen; then whoever is nearest to where the chosen one is expected, within the gate. Cost of
-/// a tracked image: about 12 ms with the lite model; with the detector 30 ms more. Stamps must
+/// detector (at most once in detector_period_s, in one search_window() after the other) otherwise.
+/// The first time, the most certain person is chosen; then whoever is nearest to where the chosen
+/// one is expected, within the gate. Cost of a tracked image: about 6 ms with the lite model; with
+/// the detector 11 ms more. Stamps must
 /// grow; one that goes back starts anew.
 PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_s,
                           PoseNetwork& network, const PerceptionParams& params,

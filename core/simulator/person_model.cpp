@@ -102,6 +102,48 @@ void check(const PersonMesh& mesh) {
         throw std::invalid_argument("make_person_model: a triangle's index is out of range");
 }
 
+float yaw_of(const Skeleton::Side& side) {
+  return std::atan2(side[1].x() - side[0].x(), side[0].y() - side[1].y());
+}
+
+// People stand with their shoulders turned against their hips. Turns every height about the spine
+// so that hips and shoulders look ahead, as they do in the joints that the model will follow.
+struct Unwinding {
+  Vec3f hips, neck;
+  float hips_yaw, neck_yaw;
+
+  explicit Unwinding(const Skeleton& s)
+      : hips(0.5F * (s.hip[0] + s.hip[1])),
+        neck(0.5F * (s.shoulder[0] + s.shoulder[1])),
+        hips_yaw(yaw_of(s.hip)),
+        neck_yaw(yaw_of(s.shoulder)) {}
+
+  Eigen::Matrix3f turn_at(float share) const {
+    const float yaw = hips_yaw + share * (neck_yaw - hips_yaw);
+    return Eigen::AngleAxisf(-yaw, Vec3f::UnitZ()).toRotationMatrix();
+  }
+  float share_at(float z) const {
+    return std::clamp((z - hips.z()) / (neck.z() - hips.z()), 0.0F, 1.0F);
+  }
+  void apply(Vec3f& position) const {
+    const float share = share_at(position.z());
+    const Vec3f spine = hips + share * (neck - hips);
+    position = spine + turn_at(share) * (position - spine);
+  }
+  void apply(PersonMesh::Vertex& v) const {
+    v.normal = turn_at(share_at(v.position.z())) * v.normal;
+    apply(v.position);
+  }
+};
+
+void unwind(PersonMesh& mesh, Skeleton& s) {
+  const Unwinding unwinding(s);
+  for (auto& vertex : mesh.vertices) unwinding.apply(vertex);
+  for (auto* side : {&s.shoulder, &s.elbow, &s.wrist, &s.fingertips, &s.hip, &s.knee, &s.ankle,
+                     &s.toes})
+    for (Vec3f& joint : *side) unwinding.apply(joint);
+}
+
 // Where a bone is to be, and what takes it there.
 struct Poser {
   const std::array<Vec3, kLandmarkCount>& joints;
@@ -158,9 +200,10 @@ std::array<Bend, kBoneCount> bends_of(const PersonModel& model,
 
 }  // namespace
 
-PersonModel make_person_model(PersonMesh mesh, const Skeleton& skeleton) {
+PersonModel make_person_model(PersonMesh mesh, Skeleton skeleton) {
   check(mesh);
   bring_to_unit_height(mesh);
+  unwind(mesh, skeleton);
   const auto capsules = capsules_of(skeleton);
   const float middle = 0.5F * (skeleton.ankle[0].y() + skeleton.ankle[1].y());
   PersonModel model{std::move(mesh), skeleton, {}};

@@ -41,7 +41,7 @@ inline constexpr int kBoneCount = 12;
 
 struct PersonModel {
   PersonMesh mesh;  // brought to height 1
-  Skeleton skeleton;
+  Skeleton skeleton;  // as the mesh
   struct Skin {
     std::array<int, 2> bones{};
     float first_weight = 1.0F;  // of bones[0]; the rest is bones[1]'s
@@ -49,9 +49,10 @@ struct PersonModel {
   std::vector<Skin> skin;  // of each vertex
 };
 
-/// Brings the mesh to height 1 and binds each vertex to its two nearest bones. Throws
-/// std::invalid_argument for a mesh without triangles or with indices out of range.
-PersonModel make_person_model(PersonMesh mesh, const Skeleton& skeleton);
+/// Brings the mesh to height 1, turns hips and shoulders ahead, and binds each vertex to its two
+/// nearest bones. Throws std::invalid_argument for a mesh without triangles or with indices out of
+/// range.
+PersonModel make_person_model(PersonMesh mesh, Skeleton skeleton);
 
 /// The model's vertices with its joints where `joints_enu_m` has them (limbs are turned, and
 /// stretched along themselves), lit, in the world. `posed` is filled; its memory is reused.

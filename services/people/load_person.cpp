@@ -18,8 +18,9 @@ namespace {
 
 using Side = Skeleton::Side;
 
-// Where the joints are in each model, read off its front and side views: (forward, left, up) over
-// the height, left first.
+// Where the joints are in each model, read off its front and side views and, for the way in which
+// the shoulders look, off its sections at their height: (forward, left, up) over the height, left
+// first.
 struct Row {
   const char* name;
   const char* model;
@@ -30,7 +31,7 @@ const std::array<Row, 4>& rows() {
   static const std::array<Row, 4> kRows = {{
       {"boy",
        "boyStanding",
-       {.shoulder = Side{{{-0.005F, 0.098F, 0.805F}, {-0.005F, -0.098F, 0.805F}}},
+       {.shoulder = Side{{{-0.015F, 0.098F, 0.805F}, {0.004F, -0.098F, 0.805F}}},
         .elbow = Side{{{-0.065F, 0.155F, 0.675F}, {-0.020F, -0.137F, 0.650F}}},
         .wrist = Side{{{0.030F, 0.095F, 0.578F}, {0.045F, -0.150F, 0.515F}}},
         .fingertips = Side{{{0.065F, 0.050F, 0.560F}, {0.065F, -0.150F, 0.435F}}},
@@ -40,7 +41,7 @@ const std::array<Row, 4>& rows() {
         .toes = Side{{{0.075F, 0.085F, 0.015F}, {0.075F, -0.088F, 0.015F}}}}},
       {"girl",
        "girlStanding",
-       {.shoulder = Side{{{-0.010F, 0.090F, 0.795F}, {-0.010F, -0.082F, 0.795F}}},
+       {.shoulder = Side{{{0.011F, 0.090F, 0.795F}, {-0.038F, -0.082F, 0.795F}}},
         .elbow = Side{{{-0.010F, 0.112F, 0.635F}, {-0.010F, -0.105F, 0.635F}}},
         .wrist = Side{{{0.045F, 0.112F, 0.500F}, {0.045F, -0.113F, 0.500F}}},
         .fingertips = Side{{{0.070F, 0.110F, 0.405F}, {0.070F, -0.112F, 0.415F}}},
@@ -50,7 +51,7 @@ const std::array<Row, 4>& rows() {
         .toes = Side{{{0.075F, 0.050F, 0.015F}, {0.070F, -0.040F, 0.015F}}}}},
       {"man",
        "male03",
-       {.shoulder = Side{{{-0.035F, 0.080F, 0.805F}, {-0.035F, -0.115F, 0.805F}}},
+       {.shoulder = Side{{{-0.028F, 0.080F, 0.805F}, {-0.046F, -0.115F, 0.805F}}},
         .elbow = Side{{{0.030F, 0.090F, 0.690F}, {0.030F, -0.140F, 0.690F}}},
         .wrist = Side{{{0.050F, -0.050F, 0.720F}, {0.050F, 0.030F, 0.720F}}},
         .fingertips = Side{{{0.050F, -0.100F, 0.740F}, {0.050F, 0.080F, 0.740F}}},
@@ -61,7 +62,7 @@ const std::array<Row, 4>& rows() {
         .arms_swing = false}},
       {"suit",
        "male02",
-       {.shoulder = Side{{{0.010F, 0.118F, 0.800F}, {0.000F, -0.085F, 0.800F}}},
+       {.shoulder = Side{{{0.057F, 0.118F, 0.800F}, {-0.019F, -0.085F, 0.800F}}},
         .elbow = Side{{{-0.020F, 0.162F, 0.640F}, {-0.085F, -0.115F, 0.670F}}},
         .wrist = Side{{{0.065F, 0.152F, 0.530F}, {0.045F, -0.100F, 0.575F}}},
         .fingertips = Side{{{0.095F, 0.138F, 0.450F}, {0.085F, -0.095F, 0.535F}}},

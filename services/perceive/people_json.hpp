@@ -23,7 +23,7 @@ struct SeenFrame {
 
 /// {stamp_s, people: [{landmarks: [33 × {x_px, y_px, visibility, world_m}], position_camera_m,
 /// yaw_rad, score}]}, and `file` for pictures. Image points are those of the picture as it is, with
-/// its lens' distortion. world_m is what the network says, of a person of 1.70 m. Position and yaw
+/// its lens' distortion. world_m is what the network says, of a person of 1.62 m. Position and yaw
 /// are null if they are not known.
 nlohmann::ordered_json json_of(const SeenFrame& frame);
 

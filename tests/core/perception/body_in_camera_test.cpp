@@ -7,7 +7,7 @@
 namespace foretrack {
 namespace {
 
-// As the network would see somebody of that height: joints of a person of 1.70 m.
+// As the network would see somebody of that height: joints of a person of its height.
 PersonPose seen(const test::PersonState& person, const VehicleState& vehicle, double height_m) {
   Random random(1);
   PersonPose pose;

@@ -104,11 +104,12 @@ TEST_F(PerceiveImage, SomebodyElseOutsideTheGateIsNotTaken) {
 TEST_F(PerceiveImage, TheExpectedPlaceDecidesAndItsGateHolds) {
   fake_.see({0.2, 0.5}, 0.2, 5.0);
   fake_.see({0.8, 0.5}, 0.2, 1.0);
-  const auto there = look(0.0, ExpectedPlace{{310.0, 200.0}, 60.0});
+  constexpr double kBody_px = 200.0;  // so large that the whole image is looked at
+  const auto there = look(0.0, ExpectedPlace{{310.0, 200.0}, 60.0, kBody_px});
   ASSERT_TRUE(there.found());
   EXPECT_NEAR(there.person.region.centre_px.x(), 320.0, 1.0);
   state_ = {};
-  EXPECT_FALSE(look(1.0, ExpectedPlace{{200.0, 200.0}, 60.0}).found());
+  EXPECT_FALSE(look(1.0, ExpectedPlace{{200.0, 200.0}, 60.0, kBody_px}).found());
 }
 
 TEST_F(PerceiveImage, TimeThatGoesBackStartsAnew) {
@@ -146,14 +147,15 @@ TEST_F(PerceiveImage, NoNaNComesOutOfANetworkThatGivesNaN) {
   ASSERT_TRUE(result.found());
   for (const auto& landmark : result.person.landmarks) EXPECT_TRUE(landmark.image_px.allFinite());
   for (float& number : fake_.detector->answer(0)) number = nan;
-  EXPECT_TRUE(detect_people(image_, *fake_.detector, 0.5).empty());
+  EXPECT_TRUE(detect_people(image_, whole_of(image_), *fake_.detector, 0.5).empty());
 }
 
 TEST(DetectPeople, OverlappingBoxesAreAveragedByTheirScores) {
   testing::FakePoseNetwork fake;
   fake.see({0.49, 0.5}, 0.3, 3.0);
   fake.see({0.55, 0.5}, 0.3, 1.0);
-  const auto people = detect_people(grey_image(400, 400), *fake.detector, 0.5);
+  const RgbImage image = grey_image(400, 400);
+  const auto people = detect_people(image, whole_of(image), *fake.detector, 0.5);
   ASSERT_EQ(people.size(), 1u);
   const double a = 1.0 / (1.0 + std::exp(-3.0)), b = 1.0 / (1.0 + std::exp(-1.0));
   EXPECT_NEAR(people[0].points_px[0].x(), 400.0 * (0.49 * a + 0.55 * b) / (a + b), 0.01);
@@ -163,7 +165,8 @@ TEST(DetectPeople, OverlappingBoxesAreAveragedByTheirScores) {
 TEST(DetectPeople, PointsAreInThePixelsOfAWideImage) {
   testing::FakePoseNetwork fake;
   fake.see({0.5, 0.5}, 0.1, 3.0);
-  const auto people = detect_people(grey_image(800, 400), *fake.detector, 0.5);
+  const RgbImage image = grey_image(800, 400);
+  const auto people = detect_people(image, whole_of(image), *fake.detector, 0.5);
   ASSERT_EQ(people.size(), 1u);
   EXPECT_NEAR(people[0].points_px[2].x(), 400.0, 0.01);
   EXPECT_NEAR(people[0].points_px[2].y(), 200.0 + 800 * (0.025 - 0.05), 0.01);
