@@ -16,7 +16,7 @@ constexpr double kRestAfter_s = 3.0;  // long enough to measure a rate
 constexpr double kRestBytes_s = 1e6;
 constexpr std::size_t kMaxTopics = 2048;  // hostile discovery must not fill the memory
 // Samples of many topics come together: one round for all of them costs less than one for each.
-constexpr auto kRound = std::chrono::milliseconds(3);
+constexpr auto kRound = std::chrono::milliseconds(5);
 
 std::string tool_name(const std::string& wire) {
   return wire.substr(2);  // "rt/uav1/odometry" is "/uav1/odometry" to ROS 2's tools

@@ -1,11 +1,12 @@
 // A WebSocket client of the hub.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 
+#include "services/ground_station/http/frame_batch.hpp"
 #include "services/ground_station/http/server_impl.hpp"
+#include "services/ground_station/http/turn_stream.hpp"
 
 namespace foretrack::station {
 
@@ -13,7 +14,7 @@ template <class Stream>
 class WebSocket : public std::enable_shared_from_this<WebSocket<Stream>> {
  public:
   WebSocket(Server::Impl& server, Stream stream, std::string remote)
-      : server_(server), socket_(std::move(stream)), remote_(std::move(remote)) {
+      : server_(server), socket_(TurnStream<Stream>(std::move(stream))), remote_(std::move(remote)) {
     ++server_.clients;
     ++server_.connections;
   }
@@ -75,27 +76,25 @@ class WebSocket : public std::enable_shared_from_this<WebSocket<Stream>> {
     buffer_.consume(buffer_.size());
   }
 
-  // One message at a time; what comes meanwhile waits in the client's outbox.
+  // All that waits, in one call; what comes meanwhile waits in the client's outbox.
   void write() {
-    if (writing_ || closing_ || !client_) return;
-    frame_ = client_->next(steady_s());
-    if (!frame_) return;
-    writing_ = true;
-    const auto done = [self = this->shared_from_this()](beast::error_code error, std::size_t) {
-      self->writing_ = false;
-      if (error) return self->leave();
-      if (self->closing_) return self->say_goodbye();
-      self->write();
-    };
-    if (frame_->text) {
-      socket_.text(true);
-      socket_.async_write(asio::buffer(*frame_->text), done);
-    } else {
-      socket_.binary(true);
-      socket_.async_write(std::array<asio::const_buffer, 2>{asio::buffer(frame_->header),
-                                                            asio::buffer(*frame_->data)},
-                          done);
+    if (writing_ || closing_ || !client_ || !socket_.is_open()) return;
+    batch_.clear();
+    while (!batch_.full()) {
+      auto frame = client_->next(steady_s());
+      if (!frame) break;
+      batch_.add(std::move(*frame));
     }
+    if (batch_.empty()) return;
+    writing_ = true;
+    socket_.next_layer().async_write_some(
+        batch_.buffers(),
+        [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+          self->writing_ = false;
+          if (error) return self->leave();
+          if (self->closing_) return self->say_goodbye();
+          self->write();
+        });
   }
 
   // A client that takes nothing cannot be told why, so it is given a moment, then cut off.
@@ -129,12 +128,12 @@ class WebSocket : public std::enable_shared_from_this<WebSocket<Stream>> {
   }
 
   Server::Impl& server_;
-  websocket::stream<Stream> socket_;
+  websocket::stream<TurnStream<Stream>> socket_;
   std::string remote_;
   http::request<http::string_body> request_;
   beast::flat_buffer buffer_;
   std::shared_ptr<Client> client_;
-  std::optional<Frame> frame_;
+  FrameBatch batch_;
   std::string reason_;
   bool writing_ = false;
   bool closing_ = false;

@@ -30,7 +30,10 @@ void Client::offer(const Sample& sample, double now_s) {
   const auto it = by_channel_.find(sample.channel);
   if (it == by_channel_.end() || closed_) return;
   outbox_.push_sample(it->second, sample, now_s);
-  link_.wake();
+}
+
+void Client::flush() {
+  if (!closed_ && outbox_.bytes() > 0) link_.wake();
 }
 
 std::optional<Frame> Client::next(double now_s) {
@@ -75,6 +78,7 @@ void Client::subscribe(const foxglove::Subscribe& wanted, double now_s) {
       if (const auto& last = hub_.flows_[channel].latched) offer(*last, now_s);
     }
   }
+  flush();
 }
 
 void Client::handle(const foxglove::ClientMessage& message, double now_s) {

@@ -60,6 +60,7 @@ void Hub::deliver(const std::vector<Sample>& samples, double now_s) {
     if (!within_limit(flow, sample.data->size(), now_s)) continue;
     for (const auto& [id, client] : clients_) client->offer(sample, now_s);
   }
+  for (const auto& [id, client] : clients_) client->flush();
 }
 
 std::shared_ptr<Client> Hub::join(std::string address, Link link, double now_s) {

@@ -61,6 +61,7 @@ class Client {
   void tell(std::shared_ptr<const std::string> text);
   void tell(std::string text) { tell(std::make_shared<const std::string>(std::move(text))); }
   void offer(const Sample& sample, double now_s);
+  void flush();  // after samples were offered
   void close(const std::string& reason);
 
   Hub& hub_;
