@@ -76,6 +76,8 @@ double cpu_s(const Launcher& launcher) {
 
 int measure(const std::string& map, double duration_s, const std::string& scenario) {
   const FreeDomain domain;
+  fmt::print("domain {}\n", domain.id());  // for who wants to listen too
+  std::fflush(stdout);
   const std::string program =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "foretrack";
   Launcher launcher("/tmp/foretrack_latency_bench", program);

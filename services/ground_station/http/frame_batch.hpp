@@ -25,8 +25,8 @@ inline std::size_t write_frame_header(std::uint8_t* to, bool text, std::uint64_t
 /// Keeps what a write in progress reads. Samples are not copied: all clients share them.
 class FrameBatch {
  public:
-  static constexpr std::size_t kFrames = 32;  // two pieces each: as many as one call gathers
-  static constexpr std::size_t kBytes = 256 * 1024;
+  static constexpr std::size_t kFrames = 32;        // two pieces each: as many as one call gathers
+  static constexpr std::size_t kBytes = 16 * 1024;  // what is taken here no longer gives way
 
   void clear() {
     frames_.clear();

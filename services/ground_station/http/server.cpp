@@ -63,9 +63,12 @@ void repeat(asio::io_context& io, std::chrono::duration<double> period,
 std::string tune(tcp::socket& socket) {
   beast::error_code error;
   socket.set_option(tcp::no_delay(true), error);
-  const int unsent_bytes = 128 * 1024;  // more would be old before a slow link takes it
+  const int unsent_bytes = 16 * 1024;  // more would be old before a slow link takes it
   setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent_bytes,
              sizeof unsent_bytes);
+  // Goes on where a radio link loses packets, which others take for congestion; not every kernel
+  // has it.
+  setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_CONGESTION, "bbr", 3);
   const auto end = socket.remote_endpoint(error);
   return error ? "?" : end.address().to_string() + ':' + std::to_string(end.port());
 }

@@ -14,7 +14,9 @@ template <class Stream>
 class WebSocket : public std::enable_shared_from_this<WebSocket<Stream>> {
  public:
   WebSocket(Server::Impl& server, Stream stream, std::string remote)
-      : server_(server), socket_(TurnStream<Stream>(std::move(stream))), remote_(std::move(remote)) {
+      : server_(server),
+        socket_(TurnStream<Stream>(std::move(stream))),
+        remote_(std::move(remote)) {
     ++server_.clients;
     ++server_.connections;
   }
@@ -88,8 +90,7 @@ class WebSocket : public std::enable_shared_from_this<WebSocket<Stream>> {
     if (batch_.empty()) return;
     writing_ = true;
     socket_.next_layer().async_write_some(
-        batch_.buffers(),
-        [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+        batch_.buffers(), [self = this->shared_from_this()](beast::error_code error, std::size_t) {
           self->writing_ = false;
           if (error) return self->leave();
           if (self->closing_) return self->say_goodbye();

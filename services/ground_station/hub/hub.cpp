@@ -84,6 +84,7 @@ void Hub::check(double now_s) {
   auto clients = clients_;  // closing changes the map
   for (const auto& [id, client] : clients) {
     if (client->outbox_.bytes() == 0) client->took_s_ = now_s;
+    client->flush();  // what rested
     if (now_s - client->took_s_ > limits_.silent_s)
       client->close("too slow: it took nothing for 10 s");
   }

@@ -4,63 +4,98 @@
 
 namespace foretrack::station {
 
-void Outbox::leave(const Waiting& waiting) {
-  bytes_ -= waiting.frame.bytes();
-  if (!waiting.frame.text) --waiting_[waiting.subscription];
+void Outbox::drop_oldest(Lane& lane) {
+  bytes_ -= lane.queue.front().frame.bytes();
+  lane.queue.pop_front();
+  ++dropped_;
+}
+
+void Outbox::drop_superseded(Lane& lane, double now_s) {
+  while (lane.queue.size() > 1 && now_s - lane.queue.front().since_s > limits_.stale_s)
+    drop_oldest(lane);
 }
 
 void Outbox::make_room(std::size_t bytes) {
-  for (auto it = queue_.begin(); it != queue_.end() && bytes_ + bytes > limits_.budget_bytes;) {
-    if (it->frame.text) {
-      ++it;
-      continue;
-    }
-    leave(*it);
-    ++dropped_;
-    it = queue_.erase(it);
+  while (bytes_ + bytes > limits_.budget_bytes) {
+    Lane* oldest = nullptr;
+    for (auto& [id, lane] : lanes_)
+      if (!lane.queue.empty() &&
+          (!oldest || lane.queue.front().since_s < oldest->queue.front().since_s))
+        oldest = &lane;
+    if (!oldest) return;
+    drop_oldest(*oldest);
   }
 }
 
 bool Outbox::push_text(std::shared_ptr<const std::string> text) {
   make_room(text->size());
   bytes_ += text->size();
-  queue_.push_back({{std::move(text), {}, {}}, 0, 0.0});
+  texts_.push_back(std::move(text));
   return bytes_ <= limits_.budget_bytes;
 }
 
 void Outbox::push_sample(std::uint32_t subscription, const Sample& sample, double now_s) {
+  Lane& lane = lanes_[subscription];
+  drop_superseded(lane, now_s);
   Frame frame{nullptr, foxglove::message_header(subscription, sample.log_time_ns), sample.data};
   make_room(frame.bytes());
   if (bytes_ + frame.bytes() > limits_.budget_bytes) {
     ++dropped_;
     return;
   }
+  // Who was silent has not saved up: it is served as if it had kept pace.
+  if (lane.queue.empty()) lane.spent_bytes = std::max(lane.spent_bytes, served_bytes_);
   bytes_ += frame.bytes();
-  ++waiting_[subscription];
-  queue_.push_back({std::move(frame), subscription, now_s});
+  lane.queue.push_back({std::move(frame), now_s});
+}
+
+void Outbox::rest_after_long_write(double now_s) {
+  if (!heaviest_ || now_s <= taken_s_) return;
+  const double took_s = now_s - taken_s_;
+  if (took_s > limits_.long_s) heaviest_->rests_until_s = now_s + limits_.rest * took_s;
+  heaviest_ = nullptr;
+  heaviest_bytes_ = 0;
+}
+
+Outbox::Lane* Outbox::next_lane(double now_s) {
+  Lane* next = nullptr;
+  for (auto& [id, lane] : lanes_)
+    if (!lane.queue.empty() && now_s >= lane.rests_until_s &&
+        (!next || lane.spent_bytes < next->spent_bytes))
+      next = &lane;
+  return next;
 }
 
 std::optional<Frame> Outbox::pop(double now_s) {
-  while (!queue_.empty()) {
-    Waiting next = std::move(queue_.front());
-    queue_.pop_front();
-    const bool superseded = !next.frame.text && now_s - next.since_s > limits_.stale_s &&
-                            waiting_[next.subscription] > 1;
-    leave(next);
-    if (!superseded) return std::move(next.frame);
-    ++dropped_;
+  rest_after_long_write(now_s);
+  if (!texts_.empty()) {
+    Frame frame{std::move(texts_.front()), {}, {}};
+    texts_.pop_front();
+    bytes_ -= frame.bytes();
+    return frame;
   }
-  return std::nullopt;
+  Lane* lane = next_lane(now_s);
+  if (!lane) return std::nullopt;
+  drop_superseded(*lane, now_s);
+  Frame frame = std::move(lane->queue.front().frame);
+  lane->queue.pop_front();
+  bytes_ -= frame.bytes();
+  served_bytes_ = lane->spent_bytes;
+  lane->spent_bytes += frame.bytes();
+  taken_s_ = now_s;
+  if (frame.bytes() > heaviest_bytes_) {
+    heaviest_ = lane;
+    heaviest_bytes_ = frame.bytes();
+  }
+  return frame;
 }
 
 void Outbox::forget(std::uint32_t subscription) {
-  const auto is_its = [&](const Waiting& w) {
-    return !w.frame.text && w.subscription == subscription;
-  };
-  for (const auto& waiting : queue_)
-    if (is_its(waiting)) bytes_ -= waiting.frame.bytes();
-  std::erase_if(queue_, is_its);
-  waiting_.erase(subscription);
+  const auto it = lanes_.find(subscription);
+  if (it == lanes_.end()) return;
+  for (const auto& waiting : it->second.queue) bytes_ -= waiting.frame.bytes();
+  if (heaviest_ == &it->second) heaviest_ = nullptr;
+  lanes_.erase(it);
 }
 
 }  // namespace foretrack::station

@@ -1,4 +1,5 @@
-// What waits to be sent to one client: bounded in bytes, and newest wins.
+// What waits to be sent to one client: bounded in bytes, newest wins, and no topic holds up
+// another.
 #pragma once
 
 #include <array>
@@ -26,10 +27,14 @@ struct Frame {
 struct OutboxLimits {
   std::size_t budget_bytes = 8u << 20;
   double stale_s = 0.15;  // a sample that waited so long gives way to a newer one of its topic
+  double long_s = 0.25;   // a sample that took so long to send makes its topic rest
+  double rest = 2.0;      // for so many times as long
 };
 
 /// A fast client gets everything. For a slow one, old samples give way to newer ones of the same
-/// topic, so that what it sees stays live; the budget drops the oldest. Texts are never dropped:
+/// topic, so that what it sees stays live; the budget drops the oldest. Topics share a slow link by
+/// bytes (fair queueing), and one whose sample took long to send, a map, rests for longer than
+/// that, so that small and frequent ones go on beside it. Texts go first and are never dropped:
 /// when they alone exceed the budget, the client is too slow to be served.
 class Outbox {
  public:
@@ -38,7 +43,8 @@ class Outbox {
   /// False: even without samples the budget is exceeded.
   bool push_text(std::shared_ptr<const std::string> text);
   void push_sample(std::uint32_t subscription, const Sample& sample, double now_s);
-  /// The next to send; none: nothing waits.
+  /// The next to send; none: nothing may be sent now. What is taken at one time is sent together,
+  /// and is sent when one asks again.
   std::optional<Frame> pop(double now_s);
   /// Forgets the samples of a subscription that ended.
   void forget(std::uint32_t subscription);
@@ -49,15 +55,26 @@ class Outbox {
  private:
   struct Waiting {
     Frame frame;
-    std::uint32_t subscription = 0;
     double since_s = 0.0;
   };
+  struct Lane {  // of a subscription
+    std::deque<Waiting> queue;
+    std::uint64_t spent_bytes = 0;  // of the link, since it began to wait
+    double rests_until_s = 0.0;
+  };
   void make_room(std::size_t bytes);
-  void leave(const Waiting& waiting);
+  void drop_oldest(Lane& lane);
+  void drop_superseded(Lane& lane, double now_s);
+  void rest_after_long_write(double now_s);
+  Lane* next_lane(double now_s);
 
   OutboxLimits limits_;
-  std::deque<Waiting> queue_;
-  std::map<std::uint32_t, int> waiting_;  // samples, by subscription
+  std::deque<std::shared_ptr<const std::string>> texts_;
+  std::map<std::uint32_t, Lane> lanes_;
+  std::uint64_t served_bytes_ = 0;  // what the lane had spent that was served last
+  Lane* heaviest_ = nullptr;        // of what was taken last; null: nothing
+  std::size_t heaviest_bytes_ = 0;
+  double taken_s_ = 0.0;
   std::size_t bytes_ = 0;
   std::uint64_t dropped_ = 0;
 };

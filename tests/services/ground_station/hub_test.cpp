@@ -98,6 +98,39 @@ TEST(Hub, ASlowClientSkipsToTheNewestAndAFastOneGetsEverything) {
   EXPECT_EQ(frames.back().data->front(), 100);
 }
 
+// A link of 15 kB/s for a map of 50 kB twice a second and positions of 100 bytes, 20 times.
+TEST(Hub, OnASlowLinkAMapLeavesMostOfTheTimeToSmallTopics) {
+  Hub hub("station", "1", {});
+  hub.open(channel(1));
+  hub.open(channel(2));
+  Reader reader(hub, 0.0);
+  reader.take_all(0.0);
+  reader.subscribe(1, 1, 0.0);
+  reader.subscribe(2, 2, 0.0);
+  double free_s = 0.0, maps = 0.0, positions = 0.0, longest_s = 0.0, last_s = 0.0;
+  for (int i = 0; i < 1200; ++i) {
+    const double now_s = 0.05 * i;
+    if (i % 10 == 0) hub.deliver({sample(1, 50'000)}, now_s);
+    hub.deliver({sample(2, 100)}, now_s);
+    while (free_s < now_s + 0.05) {
+      free_s = std::max(free_s, now_s);
+      const auto frame = reader.client->next(free_s);
+      if (!frame) break;
+      free_s += static_cast<double>(frame->bytes()) / 15e3;
+      if (frame->header[1] == 1) {
+        ++maps;
+        continue;
+      }
+      ++positions;
+      longest_s = std::max(longest_s, free_s - last_s);
+      last_s = free_s;
+    }
+  }
+  EXPECT_GE(maps, 5);         // 50 kB take 3.3 s, and then rest for 6.7 s
+  EXPECT_GT(positions, 700);  // of 1200
+  EXPECT_LT(longest_s, 3.6);
+}
+
 TEST(Hub, WhatWaitsForAClientStaysWithinItsBudget) {
   HubLimits limits;
   limits.client_budget_bytes = 100'000;
