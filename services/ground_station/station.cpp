@@ -176,6 +176,7 @@ Status Station::status() {
   status.topics = source_->topics();
   if (commander_) status.missions = commander_->missions(now_s);
   status.recording = recorder_.status();
+  status.recording_fault = recorder_.fault();
   for (const auto& topic : status.topics)
     if (hub_.limited(topic.channel, now_s)) status.limited.insert(topic.channel);
   status.clients = hub_.clients(now_s);

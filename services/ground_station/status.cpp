@@ -11,6 +11,7 @@ constexpr char kSchema[] = R"({"type": "object", "properties": {
   "server": {"type": "object"},
   "vehicles": {"type": "array", "items": {"type": "object"}},
   "recording": {"type": ["object", "null"]},
+  "recording_fault": {"type": ["string", "null"]},
   "topics": {"type": "array", "items": {"type": "object"}},
   "clients": {"type": "array", "items": {"type": "object"}}}})";
 
@@ -82,6 +83,7 @@ std::string to_json_text(const Status& s) {
         json_of(v, mission == s.missions.end() ? nullptr : &mission->second));
   }
   json["recording"] = json_of(s.recording);
+  json["recording_fault"] = s.recording_fault.empty() ? Json() : Json(s.recording_fault);
   json["topics"] = Json::array();
   for (const auto& t : s.topics)
     json["topics"].push_back(json_of(t, s.limited.contains(t.channel)));

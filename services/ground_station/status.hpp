@@ -39,6 +39,7 @@ struct Status {
   std::vector<VehicleReport> vehicles;
   std::map<std::string, MissionStatus> missions;  // by vehicle
   std::optional<RecordingStatus> recording;
+  std::string recording_fault;  // why the last one ended by itself; empty: it did not
   std::vector<TopicReport> topics;
   std::set<std::uint32_t> limited;  // channels
   std::vector<ClientReport> clients;

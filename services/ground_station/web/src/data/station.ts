@@ -42,6 +42,7 @@ export interface StationStatus {
   recording: {
     active: boolean; file: string; bytes: number; seconds: number; lost?: number;
   } | null;
+  recording_fault?: string | null;
   topics: StationTopic[];
   clients: StationClient[];
 }

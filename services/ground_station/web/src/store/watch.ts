@@ -26,6 +26,8 @@ export function watchTime(state: State): void {
 }
 
 export function hearStation(state: State, status: StationStatus): void {
+  const fault = status.recording_fault ?? "";
+  hold(state, "", "recording", fault !== "", "alarm", fault);
   for (const topic of status.topics) {
     hold(state, topic.vehicle ?? "", `qos ${topic.topic}`, Boolean(topic.qos_mismatch), "warning",
       `${topic.topic}: quality of service does not match`);
