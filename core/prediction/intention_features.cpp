@@ -55,8 +55,14 @@ void add_motion(TurnWriter& out, const Side& side, const MotionCues& motion) {
   out.add(std::min(side.belief.observation, 3.0));
   for (const double swing_rad : motion.body_swing_rad)
     out.add(side.sign * std::clamp(swing_rad, -1.2, 1.2));
-  const double begun = positive(side.sign * motion.body_swing_rad[1]);
+  const double begun = positive(side.sign * motion.body_swing_rad[MotionCues::kTellingSwing]);
   out.add(std::min(begun * begun, 1.5));
+  // How far the chest has left the course of the walk, and how sure that course is.
+  const double left_rad = side.sign * std::clamp(motion.body_turn_rad, -1.2, 1.2);
+  out.add(left_rad);
+  out.add(left_rad * (1.0 - motion.manoeuvre));
+  out.add(motion.manoeuvre);
+  out.add(std::clamp(motion.recent_fall_m_s[0], -1.0, 1.0));
 }
 
 // soon: nearness of an obstacle ahead.
@@ -103,6 +109,17 @@ void write_decelerate(const MotionCues& motion, const Surroundings& surroundings
   out.add(std::clamp(assessment[Intention::kDecelerate].observation, 0.0, 3.0));
   out.add(std::abs(std::clamp(motion.turn_rate_rad_s, -3.0, 3.0)));
   out.add(std::abs(std::clamp(motion.steady_body_turn_rad, -1.2, 1.2)));
+  double greatest = 0.0;
+  for (const double fall_m_s : motion.recent_fall_m_s) {
+    const double share = std::clamp(fall_m_s / std::max(motion.speed_m_s, 0.3), -0.6, 0.6);
+    out.add(share);
+    greatest = std::max(greatest, share);
+  }
+  out.add(greatest * greatest);
+  const double swing = std::abs(motion.body_swing_rad[MotionCues::kTellingSwing]);
+  out.add(std::min(swing, 1.2));
+  out.add(std::min(swing, 1.2) * greatest);
+  out.add(motion.manoeuvre);
   if (!map_known) return;
   const double obstacle_s = time_to_obstacle_s(motion, surroundings);
   out.add(std::clamp(assessment[Intention::kDecelerate].potential, 0.0, 3.0));

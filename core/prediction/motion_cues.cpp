@@ -35,12 +35,39 @@ double heading_change(const MotionHistory::Sample& from, const Vec2& to_m_s, dou
   return wrap_angle(yaw_of(to_m_s) - yaw_of(from.velocity_m_s));
 }
 
-double steady_body_turn(const MotionHistory& h, double stamp_s) {
+void read_body(MotionHistory& h, const TargetState& target, MotionCues& cues) {
+  if (cues.walking && cues.body_known)
+    cues.body_turn_rad = wrap_angle(target.body_yaw_rad - cues.heading_rad);  // eq. 3
+  h.samples[h.newest].body_turn_rad = cues.body_turn_rad;
   double sum = 0.0;
   int n = 0;
-  for (; n < h.count && stamp_s - h.back(n).stamp_s <= kSteady_s; ++n)
+  for (; n < h.count && target.stamp_s - h.back(n).stamp_s <= kSteady_s; ++n)
     sum += h.back(n).body_turn_rad;
-  return n > 0 ? sum / n : 0.0;
+  cues.steady_body_turn_rad = n > 0 ? sum / n : 0.0;
+}
+
+void read_body_swing(const MotionHistory& h, const TargetState& target, MotionCues& cues) {
+  for (std::size_t i = 0; i < cues.body_swing_rad.size() && cues.body_known; ++i) {
+    const double yaw_then = sample_before(h, target.stamp_s, MotionCues::kSwing_s[i]).body_yaw_rad;
+    if (std::isfinite(yaw_then))
+      cues.body_swing_rad[i] = wrap_angle(target.body_yaw_rad - yaw_then);
+  }
+}
+
+// Of the velocity as it was measured: a smoothed one would tell late.
+void read_changes(const MotionHistory& h, const Vec2& velocity, double stamp_s,
+                  const PredictionParams& params, MotionCues& cues) {
+  const auto& before = sample_before(h, stamp_s, params.speed_fall_interval_s);
+  cues.speed_fall_m_s = before.velocity_m_s.norm() - velocity.norm();
+  for (std::size_t i = 0; i < cues.recent_fall_m_s.size(); ++i) {
+    const auto& then = sample_before(h, stamp_s, MotionCues::kFall_s[i]);
+    cues.recent_fall_m_s[i] = then.velocity_m_s.norm() - velocity.norm();
+  }
+  const double elapsed_s = stamp_s - before.stamp_s;
+  if (elapsed_s > 0.5 * params.speed_fall_interval_s)
+    cues.turn_rate_rad_s = heading_change(before, velocity, params.walking_speed_m_s) / elapsed_s;
+  const auto& recent = sample_before(h, stamp_s, kRecent_s);
+  cues.recent_turn_rad = heading_change(recent, velocity, params.walking_speed_m_s);
 }
 
 }  // namespace
@@ -48,31 +75,20 @@ double steady_body_turn(const MotionHistory& h, double stamp_s) {
 MotionCues observe_motion(MotionHistory& h, const TargetState& target,
                           const PredictionParams& params) {
   MotionCues cues;
-  cues.state = {target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()};
+  const PlanarState measured{target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()};
   cues.height_m = target.position_enu_m.z();
-  cues.speed_m_s = target.speed_m_s();
-  cues.walking = cues.speed_m_s >= params.walking_speed_m_s;
   cues.body_known = std::isfinite(target.body_yaw_rad);
+  remember(h, {target.stamp_s, measured.velocity_m_s, 0.0, target.body_yaw_rad});
+  read_body_swing(h, target, cues);
+  follow(h.walk, measured, target.stamp_s, cues.body_swing_rad[MotionCues::kTellingSwing], params);
+  cues.state = h.walk.state(measured);
+  cues.manoeuvre = h.walk.manoeuvre;
+  cues.speed_m_s = cues.state.velocity_m_s.norm();
+  cues.walking = cues.speed_m_s >= params.walking_speed_m_s;
   const double velocity_yaw = cues.speed_m_s > 0.0 ? yaw_of(cues.state.velocity_m_s) : 0.0;
   cues.heading_rad = cues.walking || !cues.body_known ? velocity_yaw : target.body_yaw_rad;
-  if (cues.walking && cues.body_known)
-    cues.body_turn_rad = wrap_angle(target.body_yaw_rad - velocity_yaw);  // eq. 3
-
-  remember(h, {target.stamp_s, cues.state.velocity_m_s, cues.body_turn_rad, target.body_yaw_rad});
-  cues.steady_body_turn_rad = steady_body_turn(h, target.stamp_s);
-  const auto& before = sample_before(h, target.stamp_s, params.speed_fall_interval_s);
-  const Vec2& velocity = cues.state.velocity_m_s;
-  cues.speed_fall_m_s = before.velocity_m_s.norm() - cues.speed_m_s;
-  const double elapsed_s = target.stamp_s - before.stamp_s;
-  if (elapsed_s > 0.5 * params.speed_fall_interval_s)
-    cues.turn_rate_rad_s = heading_change(before, velocity, params.walking_speed_m_s) / elapsed_s;
-  for (std::size_t i = 0; i < cues.body_swing_rad.size() && cues.body_known; ++i) {
-    const double yaw_then = sample_before(h, target.stamp_s, MotionCues::kSwing_s[i]).body_yaw_rad;
-    if (std::isfinite(yaw_then))
-      cues.body_swing_rad[i] = wrap_angle(target.body_yaw_rad - yaw_then);
-  }
-  const auto& recent = sample_before(h, target.stamp_s, kRecent_s);
-  cues.recent_turn_rad = heading_change(recent, velocity, params.walking_speed_m_s);
+  read_body(h, target, cues);
+  read_changes(h, measured.velocity_m_s, target.stamp_s, params, cues);
   return cues;
 }
 

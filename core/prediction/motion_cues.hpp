@@ -6,6 +6,7 @@
 #include "core/common/target.hpp"
 #include "core/prediction/motion_models.hpp"
 #include "core/prediction/params.hpp"
+#include "core/prediction/steady_walk.hpp"
 
 namespace foretrack {
 
@@ -21,14 +22,16 @@ struct MotionHistory {
   std::array<Sample, kCapacity> samples{};
   int newest = 0;
   int count = 0;
+  SteadyWalk walk;
 
   /// i = 0: the newest.
   const Sample& back(int i) const { return samples[(newest - i + kCapacity) % kCapacity]; }
 };
 
 struct MotionCues {
-  PlanarState state;
-  double height_m = 0.0;  // of the target's position
+  PlanarState state;       // smoothed where the walk is steady
+  double manoeuvre = 0.0;  // in [0, 1]: how little the past says of it
+  double height_m = 0.0;   // of the target's position
   double speed_m_s = 0.0;
   bool walking = false;      // fast enough for its velocity to have a direction
   double heading_rad = 0.0;  // of the velocity; of the chest when not walking
@@ -38,10 +41,13 @@ struct MotionCues {
   // Change of the chest's yaw over the last moments: unlike r_bv it does not wait for the velocity,
   // which a filter delays, and is over when the turn is.
   static constexpr std::array<double, 3> kSwing_s = {0.16, 0.32, 0.64};
+  static constexpr std::size_t kTellingSwing = 1;  // more than noise, soon enough
   std::array<double, 3> body_swing_rad{};
-  double speed_fall_m_s = 0.0;   // ‖V(t − Δt)‖ − ‖V(t)‖
-  double turn_rate_rad_s = 0.0;  // of the velocity, over the same interval
-  double recent_turn_rad = 0.0;  // of the velocity, over the last second
+  double speed_fall_m_s = 0.0;  // ‖V(t − Δt)‖ − ‖V(t)‖
+  static constexpr std::array<double, 2> kFall_s = {0.12, 0.24};
+  std::array<double, 2> recent_fall_m_s{};  // the same over shorter times
+  double turn_rate_rad_s = 0.0;             // of the velocity, over the same interval
+  double recent_turn_rad = 0.0;             // of the velocity, over the last second
 };
 
 /// Adds the target to the history and reads the cues. A stamp that goes back, or a gap of more than

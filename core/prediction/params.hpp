@@ -13,6 +13,12 @@ struct PredictionParams {
   double step_s = 0.2;
   bool intention_paths = true;   // a path for each intention; else constant velocity unless blocked
   bool around_obstacles = true;  // else one straight path, whatever stands in its way
+  double path_probability_min = 0.05;
+  // Steady walk
+  double steady_memory_s = 1.5;
+  double manoeuvre_m_s = 1.4;
+  double manoeuvre_swing_rad = 0.45;
+  double steady_swing_rad = 0.13;
   // Reachable region
   double region_horizon_s = 1.0;
   double region_min_radius_m = 1.0;

@@ -17,6 +17,13 @@ Mat4 planar_covariance(const TargetState& target) {
   return c;
 }
 
+// Where all paths begin.
+struct PathStart {
+  PlanarState state;
+  double height_m = 0.0;
+  Mat4 covariance = Mat4::Zero();
+};
+
 // One step of a covariance through a motion model, with white acceleration of density q.
 Mat4 grown(const Mat4& covariance, const MotionJacobian& j, double dt_s, double q) {
   Mat4 f = Mat4::Identity();
@@ -43,12 +50,12 @@ PredictedPath& start_path(PredictionState& state, Intention intention) {
 // Walks along the primitives and notes each end with its covariance.
 class PathWriter {
  public:
-  PathWriter(PredictedPath& path, const TargetState& target, const PredictionParams& params)
+  PathWriter(PredictedPath& path, const PathStart& start, const PredictionParams& params)
       : path_(path),
         params_(params),
-        height_m_(target.position_enu_m.z()),
-        x_{target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()},
-        covariance_(planar_covariance(target)) {}
+        height_m_(start.height_m),
+        x_(start.state),
+        covariance_(start.covariance) {}
 
   void add(const MotionModel& model) {
     const double dt_s = params_.step_s;
@@ -70,32 +77,32 @@ class PathWriter {
   Mat4 covariance_;
 };
 
-void add_blocked_path(PredictionState& state, const TargetState& target,
+void add_blocked_path(PredictionState& state, const PathStart& start,
                       const PredictionParams& params) {
   PredictedPath& path = start_path(state, Intention::kForward);
   path.probability = 1.0;
   state.result.prediction.status = PredictionStatus::kTargetBlocked;
-  PathWriter writer(path, target, params);
+  PathWriter writer(path, start, params);
   const auto model = MotionModel::deceleration(params.deceleration_m_s2);
   for (int k = 0; k < params.step_count(); ++k) writer.add(model);
 }
 
 // Constant velocity, whatever stands in its way: to compare with.
-void add_straight_path(PredictionState& state, const TargetState& target,
+void add_straight_path(PredictionState& state, const PathStart& start,
                        const PredictionParams& params) {
   PredictedPath& path = start_path(state, Intention::kForward);
   path.probability = 1.0;
-  PathWriter writer(path, target, params);
+  PathWriter writer(path, start, params);
   for (int k = 0; k < params.step_count(); ++k) writer.add(MotionModel::constant_velocity());
 }
 
-SearchStatus add_searched_path(PredictionState& state, const TargetState& target,
+SearchStatus add_searched_path(PredictionState& state, const PathStart& start,
                                const SearchRequest& request, const GridMap& map,
                                const PredictionParams& params) {
   const SearchOutcome outcome = search_path(request, map, params, state.search);
   state.result.prediction.expansions += outcome.expansions;
   if (outcome.status != SearchStatus::kFound) return outcome.status;
-  PathWriter writer(start_path(state, request.root), target, params);
+  PathWriter writer(start_path(state, request.root), start, params);
   for (const std::int32_t i : state.search.path) {
     const Intention driven_by = state.search.nodes[i].intention;
     writer.add(intention_table()[index_of(driven_by)].motion_model(params));
@@ -103,14 +110,20 @@ SearchStatus add_searched_path(PredictionState& state, const TargetState& target
   return outcome.status;
 }
 
-void normalise_and_sort(std::vector<PredictedPath>& paths) {
+std::array<Intention, kIntentionCount> likeliest_first(const IntentionAssessment& assessment) {
+  std::array<Intention, kIntentionCount> order;
+  for (const auto& row : intention_table()) order[index_of(row.intention)] = row.intention;
+  std::sort(order.begin(), order.end(), [&](Intention a, Intention b) {
+    const double p = assessment[a].probability, q = assessment[b].probability;
+    return p != q ? p > q : a < b;
+  });
+  return order;
+}
+
+void normalise(std::vector<PredictedPath>& paths) {
   double sum = 0.0;
   for (const auto& path : paths) sum += path.probability;
   for (auto& path : paths) path.probability /= sum;
-  std::sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) {
-    if (a.probability != b.probability) return a.probability > b.probability;
-    return a.intention < b.intention;
-  });
 }
 
 }  // namespace
@@ -132,18 +145,22 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
                    const GridMap& map, const PredictionParams& params) {
   clear_prediction(state, target.stamp_s, PredictionStatus::kOk);
   Prediction& prediction = state.result.prediction;
-  if (!params.around_obstacles) return add_straight_path(state, target, params);
-  if (map.is_occupied(target.position_enu_m)) return add_blocked_path(state, target, params);
-  for (const auto& row : intention_table()) {
-    if (!params.intention_paths && row.intention != Intention::kForward) continue;
-    if (is_turn(row.intention) && !motion.walking) continue;  // who stands has no path to bend
-    const SearchRequest request{motion.state, motion.height_m, motion.recent_turn_rad,
-                                row.intention};
-    if (add_searched_path(state, target, request, map, params) == SearchStatus::kExhausted)
+  const PathStart start{motion.state, motion.height_m, planar_covariance(target)};
+  if (!params.around_obstacles) return add_straight_path(state, start, params);
+  const Vec2& place_m = motion.state.position_m;
+  if (map.is_occupied({place_m.x(), place_m.y(), motion.height_m}))
+    return add_blocked_path(state, start, params);
+  for (const Intention intention : likeliest_first(state.result.intention)) {
+    if (!params.intention_paths && intention != Intention::kForward) continue;
+    if (is_turn(intention) && !motion.walking) continue;  // who stands has no path to bend
+    const double probability = state.result.intention[intention].probability;
+    if (!prediction.paths.empty() && probability < params.path_probability_min) break;
+    const SearchRequest request{motion.state, motion.height_m, motion.recent_turn_rad, intention};
+    if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;
   }
-  if (prediction.paths.empty()) add_blocked_path(state, target, params);
-  normalise_and_sort(prediction.paths);
+  if (prediction.paths.empty()) add_blocked_path(state, start, params);
+  normalise(prediction.paths);
 }
 
 }  // namespace foretrack

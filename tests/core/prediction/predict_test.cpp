@@ -66,7 +66,8 @@ TEST(Predict, PutsTheTurnFirstWhenTheChestHasTurnedAtTheCorner) {
 
 TEST(Predict, GivesEachPossibleIntentionItsPathInTheOpen) {
   PredictionState state;
-  const PredictionParams params;
+  PredictionParams params;
+  params.path_probability_min = 0.0;
   const auto& result = predict(state, walker({0, 0}, {1.5, 0.0}), open_field(), params);
   EXPECT_EQ(result.prediction.status, PredictionStatus::kOk);
   EXPECT_EQ(result.prediction.paths.size(), 4u);
@@ -77,7 +78,8 @@ TEST(Predict, GivesEachPossibleIntentionItsPathInTheOpen) {
 
 TEST(Predict, SharesTheProbabilityOfImpossibleIntentionsAmongTheOthers) {
   PredictionState state;
-  const PredictionParams params;
+  PredictionParams params;
+  params.path_probability_min = 0.0;
   const auto& result = predict(state, walker({-2, 0}, {1.5, 0.0}), narrow_corridor(), params);
   ASSERT_EQ(result.prediction.paths.size(), 2u);
   expect_sound(result, params);
@@ -87,6 +89,23 @@ TEST(Predict, SharesTheProbabilityOfImpossibleIntentionsAmongTheOthers) {
               result.intention[result.prediction.paths[0].intention].probability /
                   result.intention[result.prediction.paths[1].intention].probability,
               1e-9);
+}
+
+TEST(Predict, LeavesOutPathsThatAreTooUnlikelyToMatter) {
+  PredictionParams params;
+  PredictionState all, likely;
+  params.path_probability_min = 0.0;
+  const auto& complete = predict(all, walker({0, 0}, {1.5, 0.0}), open_field(), params).prediction;
+  const double second = complete.paths[1].probability;
+  params.path_probability_min = 0.5 * (second + complete.paths[2].probability);
+  const auto& result = predict(likely, walker({0, 0}, {1.5, 0.0}), open_field(), params);
+  ASSERT_EQ(result.prediction.paths.size(), 2u);
+  expect_sound(result, params);
+  EXPECT_EQ(result.prediction.paths[1].intention, complete.paths[1].intention);
+  params.path_probability_min = 0.25;  // the likeliest is always there
+  EXPECT_GE(predict(likely, walker({0, 0}, {1.5, 0.0}, 2.0), left_branch(), params)
+                .prediction.paths.size(),
+            1u);
 }
 
 TEST(Predict, StaysWhereItIsAtZeroSpeed) {
