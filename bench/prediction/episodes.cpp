@@ -105,7 +105,7 @@ Episode replay(const Track& track) {
   const int count = static_cast<int>(walk.duration_s() / kTruthStep_s);
   for (int i = 0; i < count; ++i) {
     const WalkPoint here = walk.at(i * kTruthStep_s);
-    episode.truth.push_back({here.position_m, here.velocity_m_s});
+    episode.truth.samples.push_back({here.position_m, here.velocity_m_s});
     if (i % kTruthPerEstimate == 0)
       episode.estimates.push_back(tracker.see(i * kTruthStep_s, here.position_m, nan));
   }
@@ -127,7 +127,7 @@ Episode simulate_walk(const SimulatedWalk& walk) {
   const int count = static_cast<int>(until_s / kTruthStep_s);
   for (int i = 0; i < count; ++i) {
     const PersonState& s = person.state;
-    episode.truth.push_back({s.position_enu_m.head<2>(), s.velocity_enu_m_s.head<2>()});
+    episode.truth.samples.push_back({s.position_enu_m.head<2>(), s.velocity_enu_m_s.head<2>()});
     if (i % kTruthPerEstimate == 0)
       episode.estimates.push_back(
           tracker.see(i * kTruthStep_s, s.position_enu_m.head<2>(), s.body_yaw_rad));

@@ -8,6 +8,7 @@
 
 #include "core/common/grid_map.hpp"
 #include "core/common/target.hpp"
+#include "core/scores/truth.hpp"
 #include "core/simulator/world.hpp"
 
 namespace foretrack::bench {
@@ -15,17 +16,11 @@ namespace foretrack::bench {
 inline constexpr double kTruthStep_s = 0.02;
 inline constexpr int kTruthPerEstimate = 2;  // estimates come at 25 Hz
 
-struct TruthSample {
-  Vec2 position_m = Vec2::Zero();
-  Vec2 velocity_m_s = Vec2::Zero();
-  double speed_m_s() const { return velocity_m_s.norm(); }
-};
-
-/// estimates[i] is of the time of truth[kTruthPerEstimate · i].
+/// estimates[i] is of the time of truth.samples[kTruthPerEstimate · i].
 struct Episode {
   std::string name;
   GridMap map;  // empty: not known
-  std::vector<TruthSample> truth;
+  Truth truth{.step_s = kTruthStep_s, .samples = {}};
   std::vector<TargetState> estimates;
 };
 

@@ -11,7 +11,7 @@
 namespace foretrack::bench {
 namespace {
 
-constexpr double kRidge = 3e-4;
+constexpr double kRidge = 1e-4;
 
 struct Fit {
   std::string name;

@@ -7,9 +7,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "bench/prediction/intention_report.hpp"
-#include "bench/prediction/path_report.hpp"
 #include "bench/prediction/split.hpp"
+#include "core/prediction/predict.hpp"
+#include "core/scores/score_intentions.hpp"
+#include "core/scores/score_paths.hpp"
 
 namespace foretrack::bench {
 namespace {
@@ -18,69 +19,67 @@ using Json = nlohmann::json;
 
 struct Score {
   IntentionScorer intention;
-  PathScorer turning, straight, all;
+  PathScorer paths;
   std::vector<double> times_us;
   std::array<int, 4> statuses{};
 };
 
 void run_episode(const Episode& episode, Score& score) {
+  constexpr int kJudgedEvery = 5;  // estimates: 0.2 s
   const PredictionParams params;
-  const int three_s = static_cast<int>(3.0 / kTruthStep_s + 0.5);
   PredictionState state;
-  MotionHistory history;
-  std::vector<Moment> moments;
+  HeadingRate heading_rate;
+  std::vector<SaidIntention> said;
   for (int k = 0; k < static_cast<int>(episode.estimates.size()); ++k) {
     const TargetState& target = episode.estimates[k];
+    const double time_s = k * kTruthPerEstimate * kTruthStep_s;
     const auto start = std::chrono::steady_clock::now();
     const PredictionResult& result = predict(state, target, episode.map, params);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
     score.times_us.push_back(took.count());
     ++score.statuses[static_cast<int>(result.prediction.status)];
-    const double turn_rate = observe_motion(history, target, params).turn_rate_rad_s;
-    const int i = k * kTruthPerEstimate;
-    Moment moment{i, {}, label_at(episode.truth, i)};
-    for (int n = 0; n < kIntentionCount; ++n) moment.p[n] = result.intention.beliefs[n].probability;
-    moments.push_back(moment);
-    const bool known = i + three_s < static_cast<int>(episode.truth.size());
-    if (k % 5 != 0 || !moment.label || !known) continue;
-    const auto add = [&](PathScorer& paths) {
-      paths.add(target, turn_rate, result.prediction, episode.truth, i);
-    };
-    add(score.all);
-    if (*moment.label == Intention::kTurnLeft || *moment.label == Intention::kTurnRight)
-      add(score.turning);
-    if (goes_straight(episode.truth, i)) add(score.straight);
+    const double rate_rad_s = heading_rate.next(time_s, target.velocity_enu_m_s.head<2>());
+    if (k % kJudgedEvery == 0)
+      score.paths.add(target, rate_rad_s, result.prediction, episode.truth, time_s);
+    said.push_back({time_s, {}});
+    for (int i = 0; i < kIntentionCount; ++i)
+      said.back().p[i] = result.intention.beliefs[i].probability;
   }
-  score.intention.add(moments, episode.truth);
+  score.intention.add(said, episode.truth);
 }
 
-void print_paths(const char* title, const PathScorer& scorer) {
-  const PathTable table = scorer.means();
-  std::printf("\n%s windows (n = %d): FDE [m] / ADE / brier-FDE / missed by 0.5 m / by 1 m\n",
-              title, scorer.count());
+void print_paths(PathWindows windows, const PathScorer& scorer) {
+  const PathTable table = scorer.means(windows);
+  std::printf(
+      "\n%s windows (n = %d at 3 s): FDE [m] / ADE / brier-FDE / missed by 0.5 m / by 1 m\n",
+      kPathWindowNames[static_cast<std::size_t>(windows)].data(), table[0].back().count);
   for (std::size_t m = 0; m < table.size(); ++m) {
-    std::printf("  %-19s", kMethodNames[m].data());
-    for (std::size_t h = 0; h < kHorizons_s.size(); ++h) {
+    std::printf("  %-19s", kPathKindNames[m].data());
+    for (std::size_t h = 0; h < kPathHorizons_s.size(); ++h) {
       const PathErrors& e = table[m][h];
-      std::printf(" | %.1f s: %.2f %.2f %.2f %2.0f%% %2.0f%%", kHorizons_s[h], e.fde_m, e.ade_m,
+      std::printf(" | %.1f s: %.2f %.2f %.2f %2.0f%% %2.0f%%", kPathHorizons_s[h], e.fde_m, e.ade_m,
                   e.brier_fde_m, 100.0 * e.missed_half_m, 100.0 * e.missed_one_m);
     }
     std::printf("\n");
   }
 }
 
+void print_announcements(const char* name, const AnnouncementReport& r) {
+  std::printf(
+      "%s: %d, announced by their onset %.0f%%, median lead %.2f s; false alarms %.2f a minute\n",
+      name, r.events, 100.0 * r.by_onset / std::max(1, r.events), r.median_lead_s,
+      r.false_alarms_per_min);
+}
+
 void print_intention(const char* name, const IntentionReport& r) {
-  std::printf("\n== %s: %d windows, base rates", name, r.windows);
+  std::printf("\n== %s: %.1f min, %d windows, base rates", name, r.walked_min, r.windows);
   for (int i = 0; i < kIntentionCount; ++i)
     std::printf(" %s %.3f", kIntentionNames[i].data(), r.base_rate[i]);
   std::printf("\nBrier %.4f, skill %.3f; log-loss %.4f (base %.4f); ECE %.4f, of turns %.4f\n",
-              r.brier, r.brier_skill, r.log_loss, r.base_log_loss, r.ece, r.ece_turn);
-  std::printf(
-      "turns %d, announced by their onset %.0f%%, median lead %.2f s (of either side %.2f s); "
-      "false "
-      "alarms %.2f a minute in %.1f min\n",
-      r.turns, 100.0 * r.foreseen_share, r.median_lead_s, r.median_lead_any_s,
-      r.false_alarms_per_min, r.walked_min);
+              r.brier, r.brier_skill(), r.log_loss, r.base_log_loss, r.ece, r.ece_turn);
+  print_announcements("turns", r.turns);
+  print_announcements("turns, either side", r.either_turn);
+  print_announcements("stops", r.stops);
 }
 
 double quantile(std::vector<double>& values, double q) {
@@ -92,18 +91,18 @@ double quantile(std::vector<double>& values, double q) {
 
 Json json_of(const std::vector<ReliabilityBin>& bins) {
   Json rows = Json::array();
-  for (const auto& b : bins) rows.push_back({b.mean_probability, b.frequency, b.count});
+  for (const auto& b : bins) rows.push_back({b.probability, b.frequency, b.count});
   return rows;
 }
 
-Json json_of(const PathScorer& scorer) {
+Json json_of(const PathScorer& scorer, PathWindows windows) {
   Json rows = Json::array();
-  const PathTable table = scorer.means();
+  const PathTable table = scorer.means(windows);
   for (std::size_t m = 0; m < table.size(); ++m)
-    for (std::size_t h = 0; h < kHorizons_s.size(); ++h) {
+    for (std::size_t h = 0; h < kPathHorizons_s.size(); ++h) {
       const PathErrors& e = table[m][h];
-      rows.push_back({{"method", kMethodNames[m]},
-                      {"horizon_s", kHorizons_s[h]},
+      rows.push_back({{"path", kPathKindNames[m]},
+                      {"horizon_s", kPathHorizons_s[h]},
                       {"windows", e.count},
                       {"fde_m", e.fde_m},
                       {"ade_m", e.ade_m},
@@ -114,42 +113,48 @@ Json json_of(const PathScorer& scorer) {
   return rows;
 }
 
+Json json_of(const AnnouncementReport& r) {
+  return {{"events", r.events},
+          {"by_onset", r.by_onset},
+          {"median_lead_s", r.median_lead_s},
+          {"leads_s", r.leads_s},
+          {"false_alarms_per_min", r.false_alarms_per_min}};
+}
+
 Json json_of(const IntentionReport& r) {
   return {{"windows", r.windows},
           {"base_rate", r.base_rate},
           {"brier", r.brier},
-          {"brier_skill", r.brier_skill},
+          {"brier_skill", r.brier_skill()},
           {"log_loss", r.log_loss},
           {"base_log_loss", r.base_log_loss},
           {"ece", r.ece},
           {"ece_turn", r.ece_turn},
           {"reliability", json_of(r.reliability)},
           {"turn_reliability", json_of(r.turn_reliability)},
-          {"turns", r.turns},
-          {"announced_by_onset", r.foreseen_share},
-          {"median_lead_s", r.median_lead_s},
-          {"median_lead_any_s", r.median_lead_any_s},
-          {"leads_s", r.leads_s},
-          {"walked_min", r.walked_min},
-          {"false_alarms_per_min", r.false_alarms_per_min}};
+          {"turns", json_of(r.turns)},
+          {"either_turn", json_of(r.either_turn)},
+          {"stops", json_of(r.stops)},
+          {"walked_min", r.walked_min}};
 }
 
 Json report(const char* name, Score& score) {
   const IntentionReport intention = score.intention.report();
   print_intention(name, intention);
-  print_paths("Turning", score.turning);
-  print_paths("Straight", score.straight);
-  print_paths("All", score.all);
+  Json json = {{"intention", json_of(intention)}};
+  for (const PathWindows windows :
+       {PathWindows::kTurning, PathWindows::kStraight, PathWindows::kAll}) {
+    print_paths(windows, score.paths);
+    json[std::string(kPathWindowNames[static_cast<std::size_t>(windows)])] =
+        json_of(score.paths, windows);
+  }
   const double p50 = quantile(score.times_us, 0.5), p99 = quantile(score.times_us, 0.99);
   std::printf("\npredict(): %zu calls, P50 %.0f us, P99 %.0f us; ok %d, blocked %d, exhausted %d\n",
               score.times_us.size(), p50, p99, score.statuses[0], score.statuses[2],
               score.statuses[3]);
-  return {{"intention", json_of(intention)},
-          {"turning", json_of(score.turning)},
-          {"straight", json_of(score.straight)},
-          {"all", json_of(score.all)},
-          {"predict_p50_us", p50},
-          {"predict_p99_us", p99}};
+  json["predict_p50_us"] = p50;
+  json["predict_p99_us"] = p99;
+  return json;
 }
 
 int run(const std::string& tracks, const std::string& json_path) {

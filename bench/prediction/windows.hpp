@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bench/prediction/labels.hpp"
+#include "bench/prediction/episodes.hpp"
 #include "core/prediction/calibrate.hpp"
 #include "core/prediction/predict.hpp"
 

@@ -109,13 +109,14 @@ void write_decelerate(const MotionCues& motion, const Surroundings& surroundings
   out.add(std::clamp(assessment[Intention::kDecelerate].observation, 0.0, 3.0));
   out.add(std::abs(std::clamp(motion.turn_rate_rad_s, -3.0, 3.0)));
   out.add(std::abs(std::clamp(motion.steady_body_turn_rad, -1.2, 1.2)));
+  // Falls in fifths of the speed: of a size with the other features, whose weights are kept small.
   double greatest = 0.0;
   for (const double fall_m_s : motion.recent_fall_m_s) {
-    const double share = std::clamp(fall_m_s / std::max(motion.speed_m_s, 0.3), -0.6, 0.6);
-    out.add(share);
-    greatest = std::max(greatest, share);
+    const double fifths = std::clamp(5.0 * fall_m_s / std::max(motion.speed_m_s, 0.3), -4.0, 4.0);
+    out.add(fifths);
+    greatest = std::max(greatest, fifths);
   }
-  out.add(greatest * greatest);
+  out.add(greatest * greatest / 4.0);
   const double swing = std::abs(motion.body_swing_rad[MotionCues::kTellingSwing]);
   out.add(std::min(swing, 1.2));
   out.add(std::min(swing, 1.2) * greatest);

@@ -81,6 +81,7 @@ MotionCues observe_motion(MotionHistory& h, const TargetState& target,
   remember(h, {target.stamp_s, measured.velocity_m_s, 0.0, target.body_yaw_rad});
   read_body_swing(h, target, cues);
   follow(h.walk, measured, target.stamp_s, cues.body_swing_rad[MotionCues::kTellingSwing], params);
+  cues.measured = measured;
   cues.state = h.walk.state(measured);
   cues.manoeuvre = h.walk.manoeuvre;
   cues.speed_m_s = cues.state.velocity_m_s.norm();

@@ -29,6 +29,7 @@ struct MotionHistory {
 };
 
 struct MotionCues {
+  PlanarState measured;    // as the tracker says
   PlanarState state;       // smoothed where the walk is steady
   double manoeuvre = 0.0;  // in [0, 1]: how little the past says of it
   double height_m = 0.0;   // of the target's position

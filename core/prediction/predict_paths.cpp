@@ -145,7 +145,7 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
                    const GridMap& map, const PredictionParams& params) {
   clear_prediction(state, target.stamp_s, PredictionStatus::kOk);
   Prediction& prediction = state.result.prediction;
-  const PathStart start{motion.state, motion.height_m, planar_covariance(target)};
+  PathStart start{motion.state, motion.height_m, planar_covariance(target)};
   if (!params.around_obstacles) return add_straight_path(state, start, params);
   const Vec2& place_m = motion.state.position_m;
   if (map.is_occupied({place_m.x(), place_m.y(), motion.height_m}))
@@ -155,7 +155,9 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
     if (is_turn(intention) && !motion.walking) continue;  // who stands has no path to bend
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
-    const SearchRequest request{motion.state, motion.height_m, motion.recent_turn_rad, intention};
+    const bool goes_on = intention == Intention::kForward;
+    start.state = goes_on ? motion.state : motion.measured;
+    const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
     if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;
   }

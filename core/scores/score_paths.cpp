@@ -60,7 +60,11 @@ Error error_of(const Judged& path, const Samples& truth_m, std::size_t count) {
 
 PathErrors errors_of(const Error& e) {
   const double doubt = 1.0 - e.probability;
-  return {1, e.ade_m, e.fde_m, e.fde_m + doubt * doubt, e.fde_m > 0.5 ? 1.0 : 0.0,
+  return {1,
+          e.ade_m,
+          e.fde_m,
+          e.fde_m + doubt * doubt,
+          e.fde_m > 0.5 ? 1.0 : 0.0,
           e.fde_m > 1.0 ? 1.0 : 0.0};
 }
 
@@ -75,8 +79,7 @@ std::array<PathErrors, kPathKindNames.size()> judge(const std::vector<Judged>& p
     best.ade_m = std::min(best.ade_m, e.ade_m);
   }
   return {errors_of(error_of(paths.front(), truth_m, count)), errors_of(best),
-          errors_of(error_of(straight, truth_m, count)),
-          errors_of(error_of(turn, truth_m, count))};
+          errors_of(error_of(straight, truth_m, count)), errors_of(error_of(turn, truth_m, count))};
 }
 
 }  // namespace
@@ -100,8 +103,8 @@ void PathScorer::add(const TargetState& target, double turn_rate_rad_s,
   const Vec2 start = target.position_enu_m.head<2>(), velocity = target.velocity_enu_m_s.head<2>();
   std::vector<Judged> paths;
   for (const PredictedPath& path : prediction.paths)
-    paths.push_back({samples_of([&](double t) { return point_at(path, start, t); }),
-                     path.probability});
+    paths.push_back(
+        {samples_of([&](double t) { return point_at(path, start, t); }), path.probability});
   const Judged straight{samples_of([&](double t) -> Vec2 { return start + t * velocity; })};
   const Judged turn{
       samples_of([&](double t) -> Vec2 { return start + turned(velocity, turn_rate_rad_s, t); })};

@@ -44,9 +44,13 @@ Intention side_of(double turn_rad) {
 
 std::optional<Intention> label_at(const Truth& truth, int i) {
   if (!is_known(truth, i, 1.0)) return std::nullopt;
-  if (const int j = turn_after(truth, i); j >= 0)
-    return side_of(heading_change(truth.samples[i], truth.samples[j]));
-  return stop_after(truth, i) >= 0 ? Intention::kDecelerate : Intention::kForward;
+  const auto& s = truth.samples;
+  if (const int j = turn_after(truth, i); j >= 0) return side_of(heading_change(s[i], s[j]));
+  const int slow = stop_after(truth, i);
+  if (slow < 0) return Intention::kForward;
+  if (!is_known(truth, slow, 1.0)) return Intention::kDecelerate;
+  const int turned = turn_after(truth, slow);  // slow because of a turn
+  return turned < 0 ? Intention::kDecelerate : side_of(heading_change(s[i], s[turned]));
 }
 
 std::vector<TruthEvent> turns_of(const Truth& truth) {

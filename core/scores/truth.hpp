@@ -27,8 +27,9 @@ struct Truth {
 };
 
 /// Of the second after samples[i]: a turn if the heading changes by more than 30° while faster than
-/// 0.3 m/s, else deceleration if the speed halves, else forward. None for who stands, or where the
-/// second is not known.
+/// 0.3 m/s, else deceleration if the speed halves (a turn, if one follows within another second:
+/// who slows down for a corner does not mean to stop), else forward. None for who stands, or where
+/// the second is not known.
 std::optional<Intention> label_at(const Truth& truth, int i);
 
 /// A turn of more than 30° within a second begins where the heading leaves the old one by 5°; a

@@ -49,7 +49,7 @@ void print_summary(const Metrics& m, const std::string& hash, const std::string&
   fmt::print("longest loss      {:6.2f} s, {} losses\n", m.longest_loss_s, m.losses);
   fmt::print("collisions        {}  (least clearance {:.2f} m)\n", m.collisions, m.min_clearance_m);
   fmt::print("turns foreseen    {}  ({:.2f} s ahead; {:.1f} false alarms a minute)\n", m.foreseen,
-             m.lead_time_mean_s, m.false_alarms_per_min);
+             m.lead_time_median_s, m.false_alarms_per_min);
   fmt::print("replan            {:6.2f} ms median, {:.2f} ms P99\n", m.plan_ms.p50, m.plan_ms.p99);
   if (!out.empty()) fmt::print("written to        {}\n", out);
   fmt::print("log SHA-256       {}\n", hash);

@@ -68,9 +68,16 @@ Json json_of(const RelativePlaces& p) {
           {"ellipse_90_area_m2", p.ellipse_area_m2()}};
 }
 
-Json json_of(const IntentionQuality& q) {
+Json json_of(const AnnouncementReport& a) {
+  return {{"events", a.events},
+          {"by_onset", a.by_onset},
+          {"median_lead_s", a.median_lead_s},
+          {"false_alarms_per_min", a.false_alarms_per_min}};
+}
+
+Json json_of(const IntentionReport& q) {
   Json bins = Json::array();
-  for (const auto& b : q.bins) bins.push_back({b.probability, b.frequency, b.count});
+  for (const auto& b : q.reliability) bins.push_back({b.probability, b.frequency, b.count});
   return {{"windows", q.windows},
           {"brier", q.brier},
           {"base_brier", q.base_brier},
@@ -78,10 +85,9 @@ Json json_of(const IntentionQuality& q) {
           {"log_loss", q.log_loss},
           {"base_log_loss", q.base_log_loss},
           {"ece", q.ece},
-          {"turns", q.turns},
-          {"foreseen", q.foreseen},
-          {"lead_time_mean_s", q.lead_time_mean_s},
-          {"false_alarms_per_min", q.false_alarms_per_min},
+          {"turns", json_of(q.turns)},
+          {"either_turn", json_of(q.either_turn)},
+          {"stops", json_of(q.stops)},
           {"bins", bins}};
 }
 
@@ -90,15 +96,14 @@ Json json_of(const PathTable& table) {
   for (std::size_t kind = 0; kind < table.size(); ++kind)
     for (std::size_t h = 0; h < table[kind].size(); ++h) {
       const PathErrors& e = table[kind][h];
-      const double n = std::max(e.count, 1);
       rows.push_back({{"path", kPathKindNames[kind]},
-                      {"horizon_s", kForesight_s[h]},
+                      {"horizon_s", kPathHorizons_s[h]},
                       {"windows", e.count},
-                      {"ade_m", e.ade_m / n},
-                      {"fde_m", e.fde_m / n},
-                      {"brier_fde_m", e.brier_fde_m / n},
-                      {"missed_half_m", e.missed_half_m / n},
-                      {"missed_one_m", e.missed_one_m / n}});
+                      {"ade_m", e.ade_m},
+                      {"fde_m", e.fde_m},
+                      {"brier_fde_m", e.brier_fde_m},
+                      {"missed_half_m", e.missed_half_m},
+                      {"missed_one_m", e.missed_one_m}});
     }
   return rows;
 }
@@ -152,7 +157,9 @@ Json json_of(const BenchResults& r, const CellSummary& cell) {
           {"places", json_of(cell.places)},
           {"curves", curves_of(r, cell)},
           {"intention", json_of(cell.intention)},
-          {"paths", json_of(cell.paths)},
+          {"paths", json_of(cell.paths.means(PathWindows::kAll))},
+          {"paths_turning", json_of(cell.paths.means(PathWindows::kTurning))},
+          {"paths_straight", json_of(cell.paths.means(PathWindows::kStraight))},
           {"worst", worst_of(r, cell)},
           {"failed_commands", commands_of(r, cell)}};
 }

@@ -81,7 +81,7 @@ class Pool {
 
 RunRecord run_job(const FlightJob& job, const LogSink& sink) {
   const TrackerParams params = load_params(job.params);
-  PathScorer paths;
+  PathRecord paths;
   const FlightResult flight =
       fly(load_scenario(job.world, job.overrides), params, {}, [&](const TrackerOutput& out) {
         if (out.planned) paths.add(out.target, out.prediction->prediction);

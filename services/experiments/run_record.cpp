@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "services/flight/flight_truth.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -11,8 +13,8 @@ using Rows = std::span<const FlightRow>;
 
 constexpr double kPassReach_m = 2.5;
 constexpr double kSettled_s = 3.0;  // the beginning, when all stand, does not count in the map
-constexpr int kPlaceEvery = 5, kWindowEvery = 20, kViewEvery = 10;  // rows
-constexpr double kChi2Of90 = 4.605170185988092;                     // two degrees of freedom
+constexpr int kPlaceEvery = 5, kViewEvery = 10;  // rows
+constexpr double kChi2Of90 = 4.605170185988092;  // two degrees of freedom
 constexpr double kLeastWalking_m_s = 0.3;
 
 EventOutcome outcome_of(const EventRecord& r) {
@@ -51,19 +53,6 @@ void add_places(Rows rows, RelativePlaces& places) {
     const Vec2 ahead = direction_of(row.vehicle.yaw_rad());
     places.add({offset.dot(ahead), ahead.x() * offset.y() - ahead.y() * offset.x()});
   }
-}
-
-std::vector<IntentionWindow> windows_of(Rows rows) {
-  const auto labels = labels_of(rows);
-  std::vector<IntentionWindow> windows;
-  for (std::size_t i = 0; i < rows.size(); i += kWindowEvery) {
-    if (labels[i] < 0 || !rows[i].estimate.usable()) continue;
-    IntentionWindow& window = windows.emplace_back();
-    window.label = labels[i];
-    for (int k = 0; k < kIntentionCount; ++k)
-      window.p[k] = static_cast<float>(rows[i].beliefs[k].probability);
-  }
-  return windows;
 }
 
 std::vector<ViewPoint> view_of(Rows rows) {
@@ -131,7 +120,7 @@ std::vector<EventOutcome> outcomes_of(const Metrics& m, Rows rows, EventKind kin
   return outcomes;
 }
 
-RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const PathScorer& paths,
+RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const PathRecord& paths,
                     EventKind kind, const MetricParams& params) {
   const Rows rows = flight.rows;
   RunRecord record;
@@ -144,7 +133,7 @@ RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const 
     for (const EventOutcome& event : record.events)
       record.curves.push_back(curve_of(rows, event.begin_s));
   add_places(rows, record.places);
-  record.windows = windows_of(rows);
+  record.intentions = score_intentions(rows, truth_of(rows));
   record.paths = paths.scores(rows);
   record.view = view_of(rows);
   return record;

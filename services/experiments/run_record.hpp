@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/scores/score_intentions.hpp"
 #include "services/experiments/flight_job.hpp"
-#include "services/experiments/path_scores.hpp"
+#include "services/experiments/path_record.hpp"
 #include "services/flight/fly_pilot.hpp"
 
 namespace foretrack {
@@ -44,12 +45,6 @@ struct RelativePlaces {
   double ellipse_area_m2() const;
 };
 
-/// The probabilities said at one moment, and what the target did in the next second.
-struct IntentionWindow {
-  std::array<float, kIntentionCount> p{};
-  int label = 0;
-};
-
 struct RunRecord {
   std::string log_sha256;
   Metrics metrics;
@@ -58,8 +53,8 @@ struct RunRecord {
   std::vector<EventOutcome> events;
   std::vector<DistanceCurve> curves;  // one for each event; none for kWalk
   RelativePlaces places;
-  std::vector<IntentionWindow> windows;
-  PathTable paths{};
+  IntentionScorer intentions;
+  PathScorer paths;
   std::vector<ViewPoint> view;  // every 0.1 s
 
   bool failed() const;
@@ -70,7 +65,7 @@ std::vector<EventOutcome> outcomes_of(const Metrics& metrics, std::span<const Fl
                                       EventKind kind, const MetricParams& params);
 
 /// log_csv: of the flight's rows.
-RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const PathScorer& paths,
+RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const PathRecord& paths,
                     EventKind kind, const MetricParams& params);
 
 }  // namespace foretrack

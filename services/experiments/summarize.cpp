@@ -62,24 +62,22 @@ void pool(const Jobs& jobs, const Records& records, CellSummary& cell) {
   cell.worst_run = cell.runs.front();
   std::string hashes;
   std::vector<double> plan_ms;
-  std::vector<const RunRecord*> flights;
+  IntentionScorer intentions;
   for (const std::size_t i : cell.runs) {
     const RunRecord& r = records[i];
-    flights.push_back(&r);
     add_events(r, cell);
     add_rates(r, cell);
     hashes += r.log_sha256 + "\n";
     plan_ms.insert(plan_ms.end(), r.plan_ms.begin(), r.plan_ms.end());
     cell.places += r.places;
-    for (std::size_t kind = 0; kind < r.paths.size(); ++kind)
-      for (std::size_t h = 0; h < r.paths[kind].size(); ++h)
-        cell.paths[kind][h] += r.paths[kind][h];
+    cell.paths += r.paths;
+    intentions += r.intentions;
     if (is_worse(r, records[cell.worst_run])) cell.worst_run = i;
   }
   finish(cell);
   cell.plan_ms = quantiles_of(std::move(plan_ms));
   cell.log_sha256 = sha256_of(hashes);
-  cell.intention = intention_quality(flights);
+  cell.intention = intentions.report();
 }
 
 // The flights of our method that have a pair in the other cell.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/experiments/intention_quality.hpp"
+#include "services/experiments/run_record.hpp"
 #include "services/experiments/statistics.hpp"
 
 namespace foretrack {
@@ -26,8 +26,8 @@ struct CellSummary {
   std::uint64_t seed = 0;  // the first
   std::string log_sha256;  // of the flights' hashes, a line each
   RelativePlaces places;
-  IntentionQuality intention;
-  PathTable paths{};
+  IntentionReport intention;
+  PathScorer paths;
   std::size_t worst_run = 0;  // most events failed, then the greatest failure rate
 };
 

@@ -72,23 +72,4 @@ std::vector<TargetEvent> events_of(std::span<const FlightRow> rows) {
   return events;
 }
 
-std::vector<int> labels_of(std::span<const FlightRow> rows) {
-  std::vector<int> labels(rows.size(), -1);
-  if (rows.size() < 2) return labels;
-  const double step_s = (rows.back().now_s - rows.front().now_s) / (rows.size() - 1);
-  const auto ahead = static_cast<std::size_t>(std::lround(1.0 / step_s));
-  for (std::size_t i = 0; i + ahead < rows.size(); ++i) {
-    const FlightRow &now = rows[i], &then = rows[i + ahead];
-    if (!walks(now)) continue;
-    const double turn = walks(then) ? heading_change(now, then) : 0.0;
-    Intention label = Intention::kForward;
-    if (std::abs(turn) > kLeastTurn_rad)
-      label = turn > 0.0 ? Intention::kTurnLeft : Intention::kTurnRight;
-    else if (velocity_of(then).norm() < 0.5 * velocity_of(now).norm())
-      label = Intention::kDecelerate;
-    labels[i] = index_of(label);
-  }
-  return labels;
-}
-
 }  // namespace foretrack

@@ -1,4 +1,4 @@
-// What the target truly did in a flight: turns and sudden stops, and the labels of the intentions.
+// What the target truly did in a flight: turns and sudden stops.
 #pragma once
 
 #include <span>
@@ -19,10 +19,5 @@ struct TargetEvent {
 
 /// In the order of their beginnings. Precondition: rows at equal steps.
 std::vector<TargetEvent> events_of(std::span<const FlightRow> rows);
-
-/// The intention over the second after each row, from the true future: left or right if the heading
-/// changes by more than 30° (both speeds above 0.3 m/s), else deceleration if the speed halves,
-/// else forward. Rows in the last second, and those of a standing target, have none (−1).
-std::vector<int> labels_of(std::span<const FlightRow> rows);
 
 }  // namespace foretrack

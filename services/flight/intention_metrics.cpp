@@ -2,77 +2,20 @@
 
 #include <cmath>
 
+#include "services/flight/flight_truth.hpp"
+
 namespace foretrack {
 namespace {
 
 using Rows = std::span<const FlightRow>;
 
-constexpr double kSure = 0.5;
-constexpr double kEarliest_s = 2.0, kLatest_s = 1.0;  // of a warning, before and after the onset
-constexpr int kTurnLeft = index_of(Intention::kTurnLeft);
-
-bool has_belief(const FlightRow& row) {
-  return row.estimate.usable();
-}
-
-// Mean of Σ_i (p_i − y_i)² over the labelled rows, and the same for the labels' own shares.
 void score_probabilities(Rows rows, Metrics& m) {
-  const auto labels = labels_of(rows);
-  std::array<double, kIntentionCount> base{};
-  int n = 0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (labels[i] < 0 || !has_belief(rows[i])) continue;
-    ++n;
-    base[labels[i]] += 1.0;
-    for (int k = 0; k < kIntentionCount; ++k)
-      sum += std::pow(rows[i].beliefs[k].probability - (labels[i] == k ? 1.0 : 0.0), 2);
-  }
-  if (n == 0) return;
-  m.brier = sum / n;
-  m.brier_base = 1.0;
-  for (const double count : base) m.brier_base -= (count / n) * (count / n);
-}
-
-// Times at which p of an intention rises above kSure.
-std::vector<double> warnings_of(Rows rows, int intention) {
-  std::vector<double> times;
-  bool above = false;
-  for (const auto& row : rows) {
-    const bool now = has_belief(row) && row.beliefs[intention].probability > kSure;
-    if (now && !above) times.push_back(row.now_s);
-    above = now;
-  }
-  return times;
-}
-
-bool warns_of(double time_s, const TargetEvent& event) {
-  return time_s >= event.begin_s - kEarliest_s && time_s <= event.end_s + kLatest_s;
-}
-
-void score_warnings(Rows rows, const std::vector<TargetEvent>& events, Metrics& m) {
-  int false_alarms = 0;
-  double lead_sum_s = 0.0;
-  for (int kind = kTurnLeft; kind < kIntentionCount; ++kind) {
-    const auto warnings = warnings_of(rows, kind);
-    for (const double t : warnings) {
-      bool right = false;
-      for (const auto& e : events) right = right || (index_of(e.kind) == kind && warns_of(t, e));
-      false_alarms += !right;
-    }
-    if (kind == index_of(Intention::kDecelerate)) continue;
-    for (const auto& e : events) {
-      if (index_of(e.kind) != kind) continue;
-      for (const double t : warnings) {
-        if (t < e.begin_s - kEarliest_s || t > e.begin_s + kLatest_s) continue;
-        ++m.foreseen;
-        lead_sum_s += e.begin_s - t;
-        break;
-      }
-    }
-  }
-  if (m.foreseen > 0) m.lead_time_mean_s = lead_sum_s / m.foreseen;
-  if (m.duration_s > 0.0) m.false_alarms_per_min = 60.0 * false_alarms / m.duration_s;
+  const IntentionReport report = score_intentions(rows, truth_of(rows)).report();
+  m.brier = report.brier;
+  m.brier_base = report.base_brier;
+  m.foreseen = report.turns.by_onset;
+  m.lead_time_median_s = report.turns.median_lead_s;
+  m.false_alarms_per_min = report.turns.false_alarms_per_min;
 }
 
 // Foresight counts from the prediction's own stamp, which is that of the estimate.
@@ -97,9 +40,8 @@ void score_foresight(Rows rows, Metrics& m) {
 
 }  // namespace
 
-void measure_intention(Rows rows, const std::vector<TargetEvent>& events, Metrics& metrics) {
+void measure_intention(Rows rows, Metrics& metrics) {
   score_probabilities(rows, metrics);
-  score_warnings(rows, events, metrics);
   score_foresight(rows, metrics);
 }
 

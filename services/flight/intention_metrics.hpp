@@ -6,7 +6,6 @@
 namespace foretrack {
 
 /// Fills in the fields from brier to foresight_error_m. Rows without an estimate do not count.
-void measure_intention(std::span<const FlightRow> rows, const std::vector<TargetEvent>& events,
-                       Metrics& metrics);
+void measure_intention(std::span<const FlightRow> rows, Metrics& metrics);
 
 }  // namespace foretrack

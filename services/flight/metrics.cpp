@@ -199,7 +199,7 @@ Metrics metrics_of(std::span<const FlightRow> rows, const MetricParams& params) 
   measure_safety(rows, params, m);
   const auto events = events_of(rows);
   measure_events(rows, events, params, m);
-  measure_intention(rows, events, m);
+  measure_intention(rows, m);
   return m;
 }
 

@@ -84,8 +84,8 @@ struct Metrics {
   // Intention, against labels from the true future.
   double brier = 0.0;
   double brier_base = 0.0;  // of always saying this flight's base rate
-  int foreseen = 0;         // turns whose p > 0.5 came in [−2, +1] s of the beginning
-  double lead_time_mean_s = 0.0;
+  int foreseen = 0;         // turns that were announced when they began
+  double lead_time_median_s = 0.0;
   double false_alarms_per_min = 0.0;
   // Most probable path, 0.5, 1, 2 and 3 s ahead: mean error.
   std::array<double, kForesight_s.size()> foresight_error_m{};

@@ -72,7 +72,7 @@ Json foresight(const Metrics& m) {
   return {{"brier", m.brier},
           {"brier_base", m.brier_base},
           {"foreseen", m.foreseen},
-          {"lead_time_mean_s", m.lead_time_mean_s},
+          {"lead_time_median_s", m.lead_time_median_s},
           {"false_alarms_per_min", m.false_alarms_per_min},
           {"path", errors}};
 }

@@ -39,7 +39,7 @@ void expect_sound(const PredictionResult& result, const PredictionParams& params
 TEST(Predict, TurnsAroundTheCornerBeforeTheTargetHasTurned) {
   PredictionState state;
   const PredictionParams params;
-  const auto& result = predict(state, walker({-1.0, 0.0}, {1.5, 0.0}), left_corner(), params);
+  const auto& result = predict(state, walker({-0.5, 0.0}, {1.5, 0.0}), left_corner(), params);
   expect_sound(result, params);
   const PredictedPath* path = path_of(result.prediction, Intention::kTurnLeft);
   ASSERT_NE(path, nullptr);
@@ -96,12 +96,13 @@ TEST(Predict, LeavesOutPathsThatAreTooUnlikelyToMatter) {
   PredictionState all, likely;
   params.path_probability_min = 0.0;
   const auto& complete = predict(all, walker({0, 0}, {1.5, 0.0}), open_field(), params).prediction;
-  const double second = complete.paths[1].probability;
-  params.path_probability_min = 0.5 * (second + complete.paths[2].probability);
+  ASSERT_EQ(complete.paths.size(), 4u);
+  params.path_probability_min =
+      0.5 * (complete.paths[2].probability + complete.paths[3].probability);
   const auto& result = predict(likely, walker({0, 0}, {1.5, 0.0}), open_field(), params);
-  ASSERT_EQ(result.prediction.paths.size(), 2u);
+  ASSERT_EQ(result.prediction.paths.size(), 3u);
   expect_sound(result, params);
-  EXPECT_EQ(result.prediction.paths[1].intention, complete.paths[1].intention);
+  EXPECT_EQ(path_of(result.prediction, complete.paths[3].intention), nullptr);
   params.path_probability_min = 0.25;  // the likeliest is always there
   EXPECT_GE(predict(likely, walker({0, 0}, {1.5, 0.0}, 2.0), left_branch(), params)
                 .prediction.paths.size(),

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/common/random.hpp"
-#include "services/experiments/intention_quality.hpp"
 
 namespace foretrack {
 namespace {
@@ -106,34 +105,6 @@ TEST(RelativePlaces, TheEllipseHoldsNinetyPercentOfANormalSample) {
       if (x * x + y * y < 4.605) inside += n;
     }
   EXPECT_NEAR(inside / all, 0.9, 0.02);
-}
-
-TEST(IntentionQuality, ASureAndRightForecastHasSkillOneAndTheBaseRatesHaveNone) {
-  RunRecord r;
-  for (int i = 0; i < 100; ++i) {
-    IntentionWindow w;
-    w.label = i % 4 == 0 ? 1 : 0;
-    w.p[w.label] = 1.0f;
-    r.windows.push_back(w);
-  }
-  EXPECT_NEAR(intention_quality({&r}).brier_skill(), 1.0, 1e-9);
-  EXPECT_NEAR(intention_quality({&r}).log_loss, 0.0, 1e-9);
-  for (IntentionWindow& w : r.windows) w.p = {0.75f, 0.25f, 0.0f, 0.0f};
-  const IntentionQuality q = intention_quality({&r});
-  EXPECT_NEAR(q.brier_skill(), 0.0, 1e-6);
-  EXPECT_NEAR(q.log_loss, q.base_log_loss, 1e-6);
-  EXPECT_NEAR(q.brier, 2 * 0.75 * 0.25, 1e-6);
-}
-
-TEST(IntentionQuality, TheCalibrationErrorIsTheGapOfAnOverconfidentForecast) {
-  RunRecord r;
-  for (int i = 0; i < 300; ++i) {
-    IntentionWindow w;
-    w.p = {0.9f, 0.1f, 0.0f, 0.0f};
-    w.label = i % 10 < 6 ? 0 : 1;  // right in 60 %
-    r.windows.push_back(w);
-  }
-  EXPECT_NEAR(intention_quality({&r}).ece, 0.3, 1e-6);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "services/flight/flight_truth.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -156,53 +158,20 @@ TEST(Metrics, ASuddenStopIsADeceleration) {
   EXPECT_NEAR(m.deceleration_below_band_s, 0.4, 1e-9);
 }
 
-TEST(Metrics, LabelsAreThoseOfTheNextSecond) {
-  auto rows = good_flight(10.0);
-  turn_left(rows, 4.0);
-  change(rows, 7.0, 1e9, [](FlightRow& r) { r.target.velocity_enu_m_s.setZero(); });
-  const auto labels = labels_of(rows);
-  const auto label_at = [&](double t) { return labels[std::lround(t / kStep_s) - 1]; };
-  EXPECT_EQ(label_at(2.5), index_of(Intention::kForward));
-  EXPECT_EQ(label_at(3.5), index_of(Intention::kTurnLeft));
-  EXPECT_EQ(label_at(5.0), index_of(Intention::kForward));
-  EXPECT_EQ(label_at(6.5), index_of(Intention::kDecelerate));
-  EXPECT_EQ(label_at(7.5), -1) << "a standing target has none";
-  EXPECT_EQ(label_at(9.9), -1) << "the future is not known";
-}
-
-TEST(Metrics, LeadTimeIsThatOfTheFirstWarningAndOthersAreFalse) {
+TEST(Metrics, LeadAndFalseAlarmsAreThoseOfTheScores) {
   auto rows = good_flight(10.0);
   turn_left(rows, 4.0);
   const int left = index_of(Intention::kTurnLeft), right = index_of(Intention::kTurnRight);
   change(rows, 3.6, 4.5, [&](FlightRow& r) { r.beliefs[left].probability = 0.6; });
-  change(rows, 1.0, 1.2, [&](FlightRow& r) { r.beliefs[left].probability = 0.7; });
   change(rows, 8.0, 8.2, [&](FlightRow& r) { r.beliefs[right].probability = 0.7; });
   const Metrics m = metrics_of(rows, {});
+  const IntentionReport report = score_intentions(rows, truth_of(rows)).report();
   EXPECT_EQ(m.foreseen, 1);
-  EXPECT_NEAR(m.lead_time_mean_s, 0.4, 0.021);
-  EXPECT_NEAR(m.false_alarms_per_min, 12.0, 1e-6);
-}
-
-TEST(Metrics, BrierIsZeroForTheTruthAndEqualsTheBaseForTheBaseRate) {
-  auto rows = good_flight(10.0);
-  turn_left(rows, 4.0);
-  const auto labels = labels_of(rows);
-  std::array<double, kIntentionCount> base{};
-  int n = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (labels[i] < 0) continue;
-    ++n;
-    base[labels[i]] += 1.0;
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (int k = 0; k < kIntentionCount; ++k)
-      rows[i].beliefs[k].probability = labels[i] == k ? 1.0 : 0.0;
-  EXPECT_EQ(metrics_of(rows, {}).brier, 0.0);
-  for (auto& row : rows)
-    for (int k = 0; k < kIntentionCount; ++k) row.beliefs[k].probability = base[k] / n;
-  const Metrics m = metrics_of(rows, {});
-  EXPECT_GT(m.brier_base, 0.05);
-  EXPECT_NEAR(m.brier, m.brier_base, 1e-9);
+  EXPECT_NEAR(m.lead_time_median_s, 0.4, 0.1);
+  EXPECT_NEAR(m.lead_time_median_s, report.turns.median_lead_s, 1e-12);
+  EXPECT_NEAR(m.false_alarms_per_min, 60.0 / 9.0, 0.1);
+  EXPECT_GT(m.brier, 0.0);
+  EXPECT_NEAR(m.brier_base, report.base_brier, 1e-12);
 }
 
 TEST(Metrics, ForesightIsComparedWithWhereTheTargetCameToBe) {

@@ -1,0 +1,120 @@
+#include "core/scores/score_intentions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/scores/walks.hpp"
+
+namespace foretrack {
+namespace {
+
+using namespace foretrack::testing;
+
+constexpr Probabilities kForward = {1.0, 0.0, 0.0, 0.0}, kLeft = {0.4, 0.6, 0.0, 0.0},
+                        kRight = {0.4, 0.0, 0.6, 0.0}, kBrake = {0.3, 0.0, 0.0, 0.7};
+
+struct Saying {
+  double from_s, to_s;
+  Probabilities p;
+};
+
+IntentionScorer score(const Truth& truth, const std::vector<Saying>& sayings) {
+  std::vector<SaidIntention> said;
+  for (int i = 0; i < truth.count(); i += 2) {
+    said.push_back({i * kStep_s, kForward});
+    for (const Saying& s : sayings)
+      if (said.back().time_s >= s.from_s - 1e-9 && said.back().time_s <= s.to_s + 1e-9)
+        said.back().p = s.p;
+  }
+  IntentionScorer scorer;
+  scorer.add(said, truth);
+  return scorer;
+}
+
+TEST(Truth, LabelsAreThoseOfTheNextSecond) {
+  const Truth turn = left_turn(10.0, 4.0), stop = sudden_stop(10.0, 4.0);
+  const auto label = [](const Truth& truth, double t) { return label_at(truth, truth.steps(t)); };
+  EXPECT_EQ(label(turn, 2.5), Intention::kForward);
+  EXPECT_EQ(label(turn, 3.5), Intention::kTurnLeft);
+  EXPECT_EQ(label(turn, 6.0), Intention::kForward);
+  EXPECT_EQ(label(stop, 3.5), Intention::kDecelerate);
+  EXPECT_EQ(label(stop, 6.0), std::nullopt) << "who stands has none";
+  EXPECT_EQ(label(turn, 9.5), std::nullopt) << "the future is not known";
+}
+
+TEST(Truth, FindsEachTurnAndStopOnceWhereItBegins) {
+  const auto turns = turns_of(left_turn(10.0, 4.0));
+  ASSERT_EQ(turns.size(), 1u);
+  EXPECT_EQ(turns[0].kind, Intention::kTurnLeft);
+  EXPECT_NEAR(turns[0].onset_s, 4.0 + 5.0 / 180.0, 0.021);
+  EXPECT_TRUE(stops_of(left_turn(10.0, 4.0)).empty());
+  const auto stops = stops_of(sudden_stop(10.0, 4.0));
+  ASSERT_EQ(stops.size(), 1u);
+  EXPECT_NEAR(stops[0].onset_s, 4.0 + 0.05 * 1.5 / 3.0, 0.021);
+}
+
+TEST(IntentionScorer, LeadCountsFromTheEndOfTheHoldAndOtherAnnouncementsAreFalse) {
+  const Truth truth = left_turn(12.0, 4.0);
+  const double onset_s = turns_of(truth)[0].onset_s;
+  const auto report =
+      score(truth, {{1.0, 1.2, kLeft}, {3.52, 4.6, kLeft}, {8.0, 8.2, kRight}}).report();
+  ASSERT_EQ(report.turns.events, 1);
+  EXPECT_EQ(report.turns.by_onset, 1);
+  EXPECT_NEAR(report.turns.median_lead_s, onset_s - 3.6, 1e-9);
+  EXPECT_NEAR(report.turns.false_alarms_per_min, 2.0 * 60.0 / 11.0, 0.2);
+}
+
+TEST(IntentionScorer, FlickerAnnouncesNothingAndGapsAreForgiven) {
+  const Truth truth = left_turn(12.0, 4.0);
+  const auto flicker = score(truth, {{1.0, 1.05, kLeft}, {8.0, 8.05, kRight}}).report();
+  EXPECT_EQ(flicker.turns.false_alarms_per_min, 0.0);
+  EXPECT_EQ(flicker.turns.median_lead_s, -1.0);
+  const auto gap = score(truth, {{3.4, 3.6, kLeft}, {3.76, 4.6, kLeft}}).report();
+  EXPECT_NEAR(gap.turns.median_lead_s, turns_of(truth)[0].onset_s - 3.48, 1e-9);
+}
+
+TEST(IntentionScorer, TheWrongSideAnnouncesATurnButNotThisOne) {
+  const auto report = score(left_turn(12.0, 4.0), {{3.6, 4.5, kRight}}).report();
+  EXPECT_EQ(report.turns.by_onset, 0);
+  EXPECT_EQ(report.either_turn.by_onset, 1);
+  EXPECT_GT(report.turns.false_alarms_per_min, 0.0);
+  EXPECT_EQ(report.either_turn.false_alarms_per_min, 0.0);
+}
+
+TEST(IntentionScorer, AStopIsAnnouncedLateForNothingForetellsIt) {
+  const auto report = score(sudden_stop(12.0, 4.0), {{4.2, 4.6, kBrake}}).report();
+  ASSERT_EQ(report.stops.events, 1);
+  EXPECT_NEAR(report.stops.median_lead_s, -0.26, 0.03);
+  EXPECT_EQ(report.stops.false_alarms_per_min, 0.0);
+}
+
+TEST(IntentionScorer, TheTruthHasSkillOneAndTheBaseRatesHaveNone) {
+  const Truth truth = left_turn(10.0, 4.0);
+  std::vector<SaidIntention> said;
+  for (int i = 0; i < truth.count(); ++i)
+    if (const auto label = label_at(truth, i)) {
+      said.push_back({i * kStep_s, {}});
+      said.back().p[index_of(*label)] = 1.0;
+    }
+  IntentionScorer sure;
+  sure.add(said, truth);
+  EXPECT_NEAR(sure.report().brier_skill(), 1.0, 1e-9);
+  EXPECT_NEAR(sure.report().log_loss, 0.0, 1e-9);
+  for (auto& s : said) s.p = sure.report().base_rate;
+  IntentionScorer base;
+  base.add(said, truth);
+  EXPECT_NEAR(base.report().brier_skill(), 0.0, 1e-9);
+  EXPECT_NEAR(base.report().log_loss, base.report().base_log_loss, 1e-9);
+  IntentionScorer both = sure;
+  both += base;
+  EXPECT_EQ(both.report().windows, 2 * sure.report().windows);
+  EXPECT_NEAR(both.report().brier, 0.5 * base.report().brier, 1e-9);
+}
+
+TEST(Reliability, TheCalibrationErrorIsTheGapOfAnOverconfidentForecast) {
+  std::vector<std::pair<double, bool>> pairs;
+  for (int i = 0; i < 300; ++i) pairs.emplace_back(0.9, i % 10 < 6);
+  EXPECT_NEAR(expected_calibration_error(reliability_bins(pairs, 15)), 0.3, 1e-9);
+}
+
+}  // namespace
+}  // namespace foretrack
