@@ -33,7 +33,7 @@ struct PerceptionParams {
   double depth_noise_m = 0.04;
   double depth_agreement_ratio = 0.3;
   // Filter.
-  double steady_density_m2_s3 = 0.1;
+  double steady_density_m2_s3 = 0.22;
   double manoeuvre_density_m2_s3 = 5.0;
   double manoeuvre_memory_s = 0.12;
   double manoeuvre_level = 0.65;
@@ -43,7 +43,7 @@ struct PerceptionParams {
   double gate_mahalanobis = 4.0;
   int reinitialise_after = 5;
   double reinitialise_radius_m = 1.0;
-  double yaw_density_rad2_s = 0.1;
+  double yaw_density_rad2_s = 0.2;
   double yaw_gate_rad = 1.6;
   // Age of the last accepted measurement.
   double tracking_age_s = 0.25;

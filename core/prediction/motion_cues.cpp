@@ -35,6 +35,18 @@ double heading_change(const MotionHistory::Sample& from, const Vec2& to_m_s, dou
   return wrap_angle(yaw_of(to_m_s) - yaw_of(from.velocity_m_s));
 }
 
+// Change of the velocity in a second, less what noise may be.
+Vec2 acceleration_m_s2(const MotionHistory& h, double stamp_s, const Vec2& velocity_m_s,
+                       const PredictionParams& params) {
+  const auto& before = sample_before(h, stamp_s, params.acceleration_interval_s);
+  const double elapsed_s = stamp_s - before.stamp_s;
+  const Vec2 change_m_s = velocity_m_s - before.velocity_m_s;
+  const double size_m_s = change_m_s.norm();
+  if (elapsed_s < 0.5 * params.acceleration_interval_s || size_m_s <= params.velocity_noise_m_s)
+    return Vec2::Zero();
+  return change_m_s * ((1.0 - params.velocity_noise_m_s / size_m_s) / elapsed_s);
+}
+
 void read_body(MotionHistory& h, const TargetState& target, MotionCues& cues) {
   if (cues.walking && cues.body_known)
     cues.body_turn_rad = wrap_angle(target.body_yaw_rad - cues.heading_rad);  // eq. 3
@@ -66,6 +78,7 @@ void read_changes(const MotionHistory& h, const Vec2& velocity, double stamp_s,
   const double elapsed_s = stamp_s - before.stamp_s;
   if (elapsed_s > 0.5 * params.speed_fall_interval_s)
     cues.turn_rate_rad_s = heading_change(before, velocity, params.walking_speed_m_s) / elapsed_s;
+  cues.acceleration_m_s2 = acceleration_m_s2(h, stamp_s, velocity, params);
   const auto& recent = sample_before(h, stamp_s, kRecent_s);
   cues.recent_turn_rad = heading_change(recent, velocity, params.walking_speed_m_s);
 }

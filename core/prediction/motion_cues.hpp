@@ -47,6 +47,7 @@ struct MotionCues {
   double speed_fall_m_s = 0.0;  // ‖V(t − Δt)‖ − ‖V(t)‖
   static constexpr std::array<double, 2> kFall_s = {0.12, 0.24};
   std::array<double, 2> recent_fall_m_s{};  // the same over shorter times
+  Vec2 acceleration_m_s2 = Vec2::Zero();    // beyond what noise of the velocity looks like
   double turn_rate_rad_s = 0.0;             // of the velocity, over the same interval
   double recent_turn_rad = 0.0;             // of the velocity, over the last second
 };

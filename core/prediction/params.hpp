@@ -45,6 +45,10 @@ struct PredictionParams {
   double min_turn_way_m = 0.8;
   double deceleration_m_s2 = 2.0;
   double target_radius_m = 0.3;
+  double acceleration_interval_s = 0.2;
+  double velocity_noise_m_s = 0.25;
+  double acceleration_goes_on_s = 0.2;
+  double braking_keeps = 0.3;
   // Search
   int max_expansions = 150;
   double max_cost = 20.0;

@@ -77,6 +77,14 @@ class PathWriter {
   Mat4 covariance_;
 };
 
+// How a path begins: who brakes or bends will soon be slower, or on another course, than now.
+PlanarState soon(PlanarState now, const Vec2& acceleration_m_s2, const PredictionParams& params) {
+  const Vec2 later_m_s = now.velocity_m_s + params.acceleration_goes_on_s * acceleration_m_s2;
+  const bool goes_on = later_m_s.dot(now.velocity_m_s) > 0.0;
+  now.velocity_m_s = goes_on ? later_m_s : Vec2(params.braking_keeps * now.velocity_m_s);
+  return now;
+}
+
 void add_blocked_path(PredictionState& state, const PathStart& start,
                       const PredictionParams& params) {
   PredictedPath& path = start_path(state, Intention::kForward);
@@ -156,7 +164,7 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
     const bool goes_on = intention == Intention::kForward;
-    start.state = goes_on ? motion.state : motion.measured;
+    start.state = soon(goes_on ? motion.state : motion.measured, motion.acceleration_m_s2, params);
     const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
     if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;

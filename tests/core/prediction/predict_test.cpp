@@ -48,6 +48,25 @@ TEST(Predict, TurnsAroundTheCornerBeforeTheTargetHasTurned) {
   EXPECT_EQ(path_of(result.prediction, Intention::kTurnRight), nullptr);  // a wall is there
 }
 
+// Before a stop or a sharp turn: the paths begin slower than the target still is.
+TEST(Predict, ExpectsWhoBrakesToBeSoonSlower) {
+  const GridMap map = open_field();
+  const auto reach_m = [&](double braking_m_s2) {
+    PredictionState fresh;
+    const PredictionResult* result = nullptr;
+    for (int i = 0; i <= 10; ++i) {
+      const double t = 0.04 * i;
+      const double speed = 2.0 - braking_m_s2 * std::max(0.0, t - 0.2);
+      result = &predict(fresh, walker({speed * t, 0.0}, {speed, 0.0}, t), map, {});
+    }
+    const auto& states = path_of(result->prediction, Intention::kForward)->states;
+    return states[9].position_enu_m.x() - 0.4 * (2.0 - braking_m_s2 * 0.2);
+  };
+  EXPECT_NEAR(reach_m(0.0), 4.0, 0.1);
+  EXPECT_NEAR(reach_m(0.5), 3.8, 0.1);  // as noise of the speed would look
+  EXPECT_LT(reach_m(3.0), 1.2);         // 2 s at 1.4 m/s would be 2.8 m
+}
+
 TEST(Predict, PutsTheTurnFirstWhenTheChestHasTurnedAtTheCorner) {
   PredictionState state;
   const GridMap map = left_branch();
