@@ -38,9 +38,7 @@ void switch_mode(Autopilot& autopilot, const AutopilotInput& input, const Vehicl
     return enter(autopilot, AutopilotMode::kHold, vehicle);
   }
   if (!input.mode || *input.mode == autopilot.mode) return;
-  const bool proven =
-      alive && now_s - autopilot.heartbeat_since_s >= autopilot.params.heartbeat_needed_s;
-  if (*input.mode == AutopilotMode::kOffboard && !proven) return;
+  if (*input.mode == AutopilotMode::kOffboard && !may_fly_offboard(autopilot, now_s)) return;
   autopilot.status.failsafe = false;
   enter(autopilot, *input.mode, vehicle);
 }
@@ -77,6 +75,11 @@ Autopilot make_autopilot(const AutopilotParams& params, const VehicleState& vehi
   autopilot.setpoint.position_enu_m = vehicle.position_enu_m;
   autopilot.setpoint.yaw_rad = vehicle.yaw_rad();
   return autopilot;
+}
+
+bool may_fly_offboard(const Autopilot& autopilot, double now_s) {
+  return is_alive(autopilot, now_s) &&
+         now_s - autopilot.heartbeat_since_s >= autopilot.params.heartbeat_needed_s;
 }
 
 const Setpoint& update_autopilot(Autopilot& autopilot, const AutopilotInput& input,

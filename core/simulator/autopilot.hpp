@@ -43,6 +43,9 @@ struct Autopilot {
 /// Armed and holding where the vehicle is, which is home.
 Autopilot make_autopilot(const AutopilotParams& params, const VehicleState& vehicle);
 
+/// The heartbeat has been unbroken for long enough.
+bool may_fly_offboard(const Autopilot& autopilot, double now_s);
+
 /// Rules, and the setpoint to fly in the next dt_s. Offboard is granted on request after an
 /// unbroken heartbeat; setpoints are ignored outside offboard, and the last one is flown on as long
 /// as the heartbeat lasts; a lost heartbeat is a failsafe: hold. Only a new request leads back.

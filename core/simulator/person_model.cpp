@@ -139,8 +139,8 @@ struct Unwinding {
 void unwind(PersonMesh& mesh, Skeleton& s) {
   const Unwinding unwinding(s);
   for (auto& vertex : mesh.vertices) unwinding.apply(vertex);
-  for (auto* side : {&s.shoulder, &s.elbow, &s.wrist, &s.fingertips, &s.hip, &s.knee, &s.ankle,
-                     &s.toes})
+  for (auto* side :
+       {&s.shoulder, &s.elbow, &s.wrist, &s.fingertips, &s.hip, &s.knee, &s.ankle, &s.toes})
     for (Vec3f& joint : *side) unwinding.apply(joint);
 }
 

@@ -40,7 +40,7 @@ struct Skeleton {
 inline constexpr int kBoneCount = 12;
 
 struct PersonModel {
-  PersonMesh mesh;  // brought to height 1
+  PersonMesh mesh;    // brought to height 1
   Skeleton skeleton;  // as the mesh
   struct Skin {
     std::array<int, 2> bones{};

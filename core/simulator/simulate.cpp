@@ -151,6 +151,9 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   out.acceleration_enu_m_s2 = state.quadrotor.acceleration_enu_m_s2;
   out.autopilot = state.autopilot.status;
   out.autopilot.stamp_s = out.now_s;
+  out.offboard_possible = may_fly_offboard(state.autopilot, out.now_s);
+  drain(out.battery, out.acceleration_enu_m_s2.z(), out.acceleration_enu_m_s2.head<2>().norm(),
+        out.autopilot.armed, dt_s);
   out.target = state.person.state;
   take_images(state, height_m);
   return out;

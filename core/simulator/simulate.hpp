@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/simulator/battery.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/scenario.hpp"
 
@@ -13,6 +14,8 @@ struct SimulatorOutput {
   VehicleState vehicle;  // truth, which is also the odometry
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   AutopilotStatus autopilot;
+  bool offboard_possible = false;  // on request
+  Battery battery;
   std::optional<TargetObservation> observation;  // delivered in this step; none with color images
   const ColorImage* color = nullptr;             // null: none in this step
   const DepthImage* depth = nullptr;             // null: none in this step

@@ -32,6 +32,10 @@ void Health::set_degraded(const std::string& reason) {
   degraded_ = reason;
 }
 
+void Health::set_fact(const std::string& key, const std::string& value) {
+  facts_.push_back(row(key, value));
+}
+
 TopicCount Health::count_of(const EndpointStats& stats, double elapsed_s) {
   if (next_ == counted_.size()) counted_.push_back(0);
   auto& before = counted_[next_++];
@@ -101,6 +105,7 @@ void Health::publish_diagnostic() {
                      row("rss_MiB", fmt::format("{:.1f}", h.rss_bytes() / 1048576.0)),
                      row("loop_max_ms", fmt::format("{:.2f}", h.loop_max_ms())),
                      row("last_error", h.last_error().to_string())};
+  status.values().insert(status.values().end(), facts_.begin(), facts_.end());
   diagnostics_.write();
 }
 

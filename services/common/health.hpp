@@ -18,6 +18,8 @@ class Health {
 
   /// Degraded until the reason is empty again: an input is missing or bad.
   void set_degraded(const std::string& reason);
+  /// A value of the diagnostic that stays: a parameter that others need to know.
+  void set_fact(const std::string& key, const std::string& value);
   /// Call it once a second.
   void publish(LoopStats loop, bool stopping);
 
@@ -33,6 +35,7 @@ class Health {
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point last_;
   std::string degraded_;
+  std::vector<diagnostic_msgs::msg::KeyValue> facts_;
   std::vector<std::uint64_t> counted_;  // samples of each endpoint at the last call
   std::size_t next_ = 0;
 };

@@ -138,6 +138,10 @@ struct Px4BatteryStatus {
   using Type = px4_msgs::msg::BatteryStatus;
   static constexpr TopicInfo info{"fmu/out/battery_status", Scope::kPx4, "sensor"};
 };
+struct Px4FailsafeFlags {
+  using Type = px4_msgs::msg::FailsafeFlags;
+  static constexpr TopicInfo info{"fmu/out/failsafe_flags", Scope::kPx4, "sensor"};
+};
 struct Px4OffboardControlMode {
   using Type = px4_msgs::msg::OffboardControlMode;
   static constexpr TopicInfo info{"fmu/in/offboard_control_mode", Scope::kPx4, "state"};
@@ -158,7 +162,7 @@ using All =
                TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
                PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
                TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
-               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
+               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4FailsafeFlags,
                Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

@@ -113,6 +113,8 @@ Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
                                       .lease_id = in.lease_id().c_str()});
 }
 
+constexpr std::size_t kTextBytes = 256;  // as the IDL bounds it
+
 void to_idl(const GateReport& in, msg::SafetyState& out) {
   const GateResult& r = in.result;
   set_header(out.header(), in.stamp_s);
@@ -121,7 +123,10 @@ void to_idl(const GateReport& in, msg::SafetyState& out) {
   out.reason(static_cast<std::uint8_t>(r.reason));
   out.phase(static_cast<std::uint8_t>(r.phase));
   out.request(static_cast<std::uint8_t>(r.request));
-  out.text(fmt::format("{}: {} ({})", to_string(r.mode), to_string(r.reason), to_string(r.phase)));
+  const auto text =
+      fmt::format("{}: {} ({}){}{}", to_string(r.mode), to_string(r.reason), to_string(r.phase),
+                  in.hindrance.empty() ? "" : "; the autopilot would refuse: ", in.hindrance);
+  out.text(text.substr(0, kTextBytes));
   out.trajectory_id(r.plan_id);
   out.plan_age_s(r.plan_age_s);
   out.deviation_m(r.deviation_m);

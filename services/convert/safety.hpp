@@ -23,6 +23,7 @@ struct GateReport {
   std::string operator_name = {};
   std::string lease_operator = {};  // empty: nobody holds the lease
   double lease_remaining_s = 0.0;
+  std::string hindrance = {};  // why the autopilot would refuse offboard mode; part of the text
 };
 void to_idl(const GateReport& report, foretrack_msgs::msg::SafetyState& out);
 Converted<GateReport> from_idl(const foretrack_msgs::msg::SafetyState& in);

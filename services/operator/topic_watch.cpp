@@ -10,6 +10,7 @@
 #include "nav_msgs/msg/Path.h"
 #include "octomap_msgs/msg/Octomap.h"
 #include "px4_msgs/msg/BatteryStatus.h"
+#include "px4_msgs/msg/FailsafeFlags.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"

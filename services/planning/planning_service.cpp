@@ -51,6 +51,8 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
       markers_(service.node()) {
   state_.clock_s = steady_s;
   state_.last_id = first_id();
+  service.health().set_fact("distance_low_m", std::to_string(params.place.distance_low_m));
+  service.health().set_fact("distance_high_m", std::to_string(params.place.distance_high_m));
   Loop& loop = service.loop();
   loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
   loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });

@@ -1,6 +1,7 @@
 #include "services/safety_gate/safety_gate_service.hpp"
 
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_health.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
 #include "services/safety_gate/px4_odometry.hpp"
@@ -25,6 +26,7 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
       vehicle_(service),
       plan_reader_(service.node()),
       autopilot_reader_(service.node()),
+      flags_reader_(service.node()),
       order_reader_(service.node()),
       setpoint_(service.node()),
       heartbeat_(service.node()),
@@ -36,6 +38,9 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
   loop.on_newest(autopilot_reader_, convert, [this](const AutopilotStatus& status) {
     autopilot_ = status;
     autopilot_.stamp_s = service_.clock().now_s();  // its clock need not be ours
+  });
+  loop.on_each(flags_reader_, [this](const px4_msgs::msg::FailsafeFlags& flags) {
+    hindrance_ = what_hinders_offboard(flags);
   });
   loop.on_each(order_reader_, convert, [this](MissionCommand&& command) {
     if (orders_.size() < kMaxOrders) orders_.push_back(std::move(command));
@@ -96,7 +101,8 @@ void SafetyGateService::publish(const GateResult& result, double now_s) {
                           state_.last_command.order,
                           state_.last_command.operator_name,
                           held ? lease.operator_name : "",
-                          held ? lease.until_s - now_s : 0.0};
+                          held ? lease.until_s - now_s : 0.0,
+                          autopilot_.offboard ? "" : hindrance_};
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;

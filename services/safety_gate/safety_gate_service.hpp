@@ -9,6 +9,7 @@
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
 #include "foretrack_msgs/msg/SafetyState.h"
+#include "px4_msgs/msg/FailsafeFlags.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"
@@ -35,6 +36,7 @@ class SafetyGateService {
   VehicleInput vehicle_;
   Reader<topics::PlannedTrajectory> plan_reader_;
   Reader<topics::Px4VehicleStatus> autopilot_reader_;
+  Reader<topics::Px4FailsafeFlags> flags_reader_;
   Reader<topics::MissionCommand> order_reader_;
   Writer<topics::Px4TrajectorySetpoint> setpoint_;
   Writer<topics::Px4OffboardControlMode> heartbeat_;
@@ -42,6 +44,7 @@ class SafetyGateService {
   Writer<topics::SafetyState> report_;
   std::optional<PlannedTrajectory> plan_;  // that the gate has not seen
   AutopilotStatus autopilot_;
+  std::string hindrance_;  // why the autopilot would refuse offboard mode
   std::deque<MissionCommand> orders_;
   GateResult last_;
   double reported_s_ = -1e9;

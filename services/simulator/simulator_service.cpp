@@ -6,6 +6,7 @@
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_health.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/vehicle.hpp"
 
@@ -14,7 +15,9 @@ namespace {
 
 constexpr double kStep_s = 0.01;
 constexpr int kStatusSteps = 20;  // 5 Hz, and at each change
-constexpr int kTruthSteps = 2;    // 50 Hz
+constexpr int kFlagsSteps = 50;   // 2 Hz, and at each change
+constexpr int kBatterySteps = 100;
+constexpr int kTruthSteps = 2;  // 50 Hz
 constexpr int kPositionSteps = 2;
 
 double checked_speed(double speed) {
@@ -49,6 +52,8 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
       px4_odometry_(node_),
       px4_position_(node_),
       px4_status_(node_),
+      px4_battery_(node_),
+      px4_flags_(node_),
       observation_(node_),
       depth_(node_),
       camera_info_(node_),
@@ -76,7 +81,7 @@ void SimulatorService::step() {
   const SimulatorOutput& out = simulate(state_, take_input(), kStep_s);
   ++steps_;
   publish_vehicle(out);
-  publish_autopilot(out.autopilot);
+  publish_autopilot(out);
   publish_cameras(out);
   if (every(kTruthSteps)) publish_truth(out);
   clock_.sample().clock(to_time(out.now_s));
@@ -117,10 +122,19 @@ void SimulatorService::publish_vehicle(const SimulatorOutput& out) {
   transforms_.write();
 }
 
-void SimulatorService::publish_autopilot(const AutopilotStatus& status) {
-  if (same(status, autopilot_) && !every(kStatusSteps)) return;
-  autopilot_ = status;
-  to_idl(status, px4_status_.sample());
+void SimulatorService::publish_autopilot(const SimulatorOutput& out) {
+  if (every(kBatterySteps)) {
+    to_idl(out.battery.state(), out.now_s, px4_battery_.sample());
+    px4_battery_.write();
+  }
+  if (out.offboard_possible != offboard_possible_ || every(kFlagsSteps)) {
+    offboard_possible_ = out.offboard_possible;
+    to_flags(out.now_s, out.offboard_possible, out.battery.state().warning, px4_flags_.sample());
+    px4_flags_.write();
+  }
+  if (same(out.autopilot, autopilot_) && !every(kStatusSteps)) return;
+  autopilot_ = out.autopilot;
+  to_idl(out.autopilot, px4_status_.sample());
   px4_status_.write();
 }
 

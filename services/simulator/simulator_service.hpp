@@ -5,6 +5,8 @@
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "nav_msgs/msg/Odometry.h"
+#include "px4_msgs/msg/BatteryStatus.h"
+#include "px4_msgs/msg/FailsafeFlags.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"
@@ -39,7 +41,7 @@ class SimulatorService {
   AutopilotInput take_input();
   void take_commands(AutopilotInput& input);
   void publish_vehicle(const SimulatorOutput& out);
-  void publish_autopilot(const AutopilotStatus& status);
+  void publish_autopilot(const SimulatorOutput& out);
   void publish_cameras(const SimulatorOutput& out);
   void publish_truth(const SimulatorOutput& out);
   void publish_latched();
@@ -51,6 +53,7 @@ class SimulatorService {
   SimulatorState state_;
   long steps_ = 0;
   AutopilotStatus autopilot_;
+  bool offboard_possible_ = false;
 
   Reader<topics::Px4OffboardControlMode> heartbeat_;
   Reader<topics::Px4TrajectorySetpoint> setpoint_;
@@ -60,6 +63,8 @@ class SimulatorService {
   Writer<topics::Px4VehicleOdometry> px4_odometry_;
   Writer<topics::Px4VehicleLocalPosition> px4_position_;
   Writer<topics::Px4VehicleStatus> px4_status_;
+  Writer<topics::Px4BatteryStatus> px4_battery_;
+  Writer<topics::Px4FailsafeFlags> px4_flags_;
   Writer<topics::TargetObservation> observation_;
   Writer<topics::DepthImage> depth_;
   Writer<topics::DepthCameraInfo> camera_info_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "px4_msgs/msg/BatteryStatus.h"
+#include "px4_msgs/msg/FailsafeFlags.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"
@@ -98,6 +99,7 @@ TEST(Idl, HasPx4sMessagesByteForByte) {
   using namespace px4_msgs::msg;
   EXPECT_EQ(TrajectorySetpoint::getCdrSerializedSize({}), 8u + 4 * 12 + 2 * 4);
   EXPECT_EQ(OffboardControlMode::getCdrSerializedSize({}), 8u + 7);
+  EXPECT_EQ(FailsafeFlags::getCdrSerializedSize({}), 8u + 13 * 4 + 26);
   EXPECT_EQ(VehicleCommand::getCdrSerializedSize({}), 56u);
   EXPECT_EQ(VehicleOdometry::getCdrSerializedSize({}), 16u + 4 + 12 + 16 + 4 + 5 * 12 + 2);
 }

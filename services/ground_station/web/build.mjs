@@ -18,7 +18,7 @@ await build({
   splitting: true,
   format: "esm",
   target: "es2022",
-  minify: true,
+  minify: process.env["PLAIN"] === undefined,
   legalComments: "linked",
   jsx: "automatic",
   jsxImportSource: "preact",

@@ -1,6 +1,7 @@
 #include "services/safety_gate/safety_gate_service.hpp"
 
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_health.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
 #include "tests/services/onboard/neighbours.hpp"
@@ -123,6 +124,23 @@ TEST_F(SafetyGateOnDds, SendsNoSetpointBeforeOffboardButAsksForIt) {
       },
       [&] { feed(); }));
   EXPECT_EQ(setpoints_, 0);
+}
+
+TEST_F(SafetyGateOnDds, SaysWhyTheAutopilotWouldRefuseOffboard) {
+  autopilot_.offboard = false;
+  Writer<topics::Px4FailsafeFlags> flags(neighbours_.node());
+  std::string text;
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        report_reader_.take_each([&](const auto& m) { text = m.text().c_str(); });
+        return text.find("would refuse: no offboard signal") != std::string::npos;
+      },
+      [&] {
+        feed();
+        to_flags(neighbours_.now_s(), false, BatteryWarning::kNone, flags.sample());
+        flags.write();
+      }))
+      << text;
 }
 
 TEST_F(SafetyGateOnDds, CoastsAndThenHoversWhenPlansCease) {

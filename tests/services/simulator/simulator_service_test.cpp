@@ -42,6 +42,8 @@ TEST_F(SimulatorOnDds, PublishesAVehicleACameraAndAClock) {
   Reader<topics::Px4VehicleOdometry> px4_odometry(node);
   Reader<topics::Px4VehicleLocalPosition> position(node);
   Reader<topics::Px4VehicleStatus> status(node);
+  Reader<topics::Px4BatteryStatus> battery(node);
+  Reader<topics::Px4FailsafeFlags> flags(node);
   Reader<topics::TargetObservation> observation(node);
   Reader<topics::DepthImage> depth(node);
   Reader<topics::DepthCameraInfo> info(node);
@@ -52,6 +54,8 @@ TEST_F(SimulatorOnDds, PublishesAVehicleACameraAndAClock) {
   EXPECT_TRUE(hears(px4_odometry));
   EXPECT_TRUE(hears(position));
   EXPECT_TRUE(hears(status));
+  EXPECT_TRUE(hears(battery));
+  EXPECT_TRUE(hears(flags));
   EXPECT_TRUE(hears(observation));
   EXPECT_TRUE(hears(depth));
   EXPECT_TRUE(hears(info));

@@ -1,6 +1,7 @@
 export interface StandIn {
   url: string;
   silent: Set<string>;
+  band_m: [number, number];
   killed: Set<string>;
   mismatched: Set<string>;
   received: string[];

@@ -6,7 +6,7 @@ import { extname, join } from "node:path";
 import { WebSocketServer } from "ws";
 
 import { flatIdl } from "./flat_idl.mjs";
-import { encode, samplesAt, schemaNameOf, typeOf } from "./synthetic.mjs";
+import { diagnosticsOf, encode, samplesAt, schemaNameOf, typeOf } from "./synthetic.mjs";
 
 const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
   ".svg": "image/svg+xml", ".txt": "text/plain" };
@@ -21,6 +21,7 @@ class StandIn {
   silent = new Set(); // vehicles of which nothing comes
   killed = new Set(); // services whose health does not come
   mismatched = new Set(); // topics whose quality of service does not match
+  band_m = [1.5, 2.5]; // that the planners keep
   received = []; // orders, as they came
   recordings = new Map(); // bytes by file name
 
@@ -121,6 +122,10 @@ class StandIn {
   }
 
   report() {
+    const type = typeOf("diagnostics");
+    for (const name of this.names)
+      this.send("/diagnostics", type, encode(type, diagnosticsOf(Date.now() / 1000, name,
+        this.band_m)));
     this.send("/station/status", null, Buffer.from(JSON.stringify(this.status())));
   }
 

@@ -18,6 +18,7 @@ const types = {
   "health": "foretrack_msgs/ServiceHealth",
   "map/local": "foretrack_msgs/LocalMap",
   "fmu/out/battery_status": "px4_msgs/BatteryStatus",
+  "diagnostics": "diagnostic_msgs/DiagnosticArray",
 };
 
 const writers = new Map();
@@ -174,6 +175,13 @@ const battery = (t) => ({ timestamp: 0n, connected: true, voltage_v: 15.4, curre
   nominal_voltage: 1, internal_resistance_estimate: 1, ocv_estimate: 1, ocv_estimate_filtered: 1,
   volt_based_soc_estimate: 1, voltage_prediction: 1, prediction_error: 1,
   estimation_covariance_norm: 1 });
+
+/** What the planner of a vehicle says of itself. */
+export function diagnosticsOf(t, name, [low_m, high_m]) {
+  const row = (key, value) => ({ key, value: value.toFixed(6) });
+  return { header: headerOf(t), status: [{ level: 0, name: `${name}/planning`, message: "running",
+    hardware_id: name, values: [row("distance_low_m", low_m), row("distance_high_m", high_m)] }] };
+}
 
 const services = ["perception", "mapping", "prediction", "planning", "safety_gate"];
 

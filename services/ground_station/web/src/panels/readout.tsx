@@ -1,13 +1,19 @@
 // The chosen vehicle in words, over the scene: as the terminal view says it.
+import type { SafetyState } from "../data/messages.ts";
 import { explainGate, explainPlan, modeWord, planWord, PlanState, trackWord, Track,
 } from "../data/words.ts";
-import { distance_m, yawError_rad } from "../store/derive.ts";
+import { band_m, distance_m, yawError_rad } from "../store/derive.ts";
 import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
 import { number } from "../ui/format.ts";
 import { intentionColor, spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import { Aged } from "./badge.tsx";
+
+/** Why the autopilot would refuse offboard mode, which the gate adds to its text. */
+function hindranceOf(safety: SafetyState): string {
+  return /would refuse: (.*)$/.exec(safety.text ?? "")?.[1] ?? "";
+}
 
 export function Readout({ session }: { session: Session }) {
   const { state, vehicle } = session;
@@ -21,7 +27,8 @@ export function Readout({ session }: { session: Session }) {
   const error = yawError_rad(odometry, target?.message);
   const error_deg = error === null ? null : (error * 180) / Math.PI;
   const gap_m = distance_m(odometry, target?.message);
-  const inBand = gap_m !== null && gap_m >= session.band_m[0] && gap_m <= session.band_m[1];
+  const band = band_m(state, vehicle);
+  const inBand = gap_m !== null && (!band || (gap_m >= band[0] && gap_m <= band[1]));
   const sum_ms = plan?.message.stage_times.filter((s) => s.stage !== "total")
     .reduce((sum, s) => sum + s.ms, 0);
   return (
@@ -53,6 +60,7 @@ export function Readout({ session }: { session: Session }) {
       <dd><Aged age_s={age_s(state, safety)} limit_s={stale_s}>
         <span data-field="gate">{safety ? modeWord(safety.message.mode) : "–"}</span>
         {safety && safety.message.reason > 0 ? `: ${explainGate(safety.message.reason)}` : ""}
+        {safety && hindranceOf(safety.message) ? ` (${hindranceOf(safety.message)})` : ""}
       </Aged></dd>
     </dl>
   );

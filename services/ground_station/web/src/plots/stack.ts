@@ -2,6 +2,7 @@
 
 import type uPlot from "uplot";
 
+import { band_m } from "../store/derive.ts";
 import type { Session } from "../ui/session.ts";
 import type { Vehicle } from "../store/state.ts";
 import { Chart, type ChartOptions, type Frame } from "./chart.ts";
@@ -76,7 +77,10 @@ export class ChartStack {
     return {
       intention: { title: "Intention", unit: "", digits: 2, weight: 1.25, range: () => [0, 1] },
       distance: { title: "Distance", unit: "m", digits: 2, weight: 1, range: atLeast(0, 4),
-        underlay: (plot) => shade(plot, ...session.band_m) },
+        underlay: (plot) => {
+          const band = session.vehicle && band_m(session.state, session.vehicle);
+          if (band) shade(plot, ...band);
+        } },
       speed: { title: "Speed", unit: "m/s", digits: 2, weight: 0.8, range: atLeast(0, 2) },
       yawError: { title: "Yaw error", unit: "°", digits: 1, weight: 0.8, range: (low, high) => {
         const bound = Math.max(20, 1.1 * Math.max(Math.abs(low), Math.abs(high)));

@@ -1,36 +1,46 @@
 // The solid things: a vehicle with its camera's frustum, and a person.
 import {
-  BoxGeometry, BufferGeometry, CapsuleGeometry, ConeGeometry, Float32BufferAttribute, Group,
-  LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Quaternion, RingGeometry, DoubleSide,
+  BoxGeometry, BufferGeometry, CapsuleGeometry, Color, ConeGeometry, DoubleSide,
+  Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
+  RingGeometry,
 } from "three";
+import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 
 import type { CameraModel, Odometry, TargetState } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
 
 const frustumReach_m = 2.2;
+const pale = "#c8d3dd";
 const torsoHeight_m = 1.2; // of the mean of shoulders and hips
+
+function painted(geometry: BufferGeometry, color: string): BufferGeometry {
+  const { r, g, b } = new Color(color);
+  const count = geometry.getAttribute("position").count;
+  const colors = Array.from({ length: count }, () => [r, g, b]).flat();
+  return geometry.setAttribute("color", new Float32BufferAttribute(colors, 3));
+}
+
+/** Hull, nose, arms and rotors as one geometry: one call draws a vehicle. */
+function airframe(color: string): BufferGeometry {
+  const parts = [painted(new BoxGeometry(0.3, 0.16, 0.09), color),
+    painted(new ConeGeometry(0.07, 0.16, 12).rotateZ(-Math.PI / 2).translate(0.22, 0, 0), color)];
+  for (const [x, y] of [[1, 1], [1, -1], [-1, 1], [-1, -1]] as const)
+    parts.push(
+      painted(new RingGeometry(0.11, 0.15, 20).translate(0.21 * x, 0.21 * y, 0.06), pale),
+      painted(new BoxGeometry(0.32, 0.03, 0.03).rotateZ(Math.atan2(y, x))
+        .translate(0.12 * x, 0.12 * y, 0.02), pale));
+  return mergeGeometries(parts);
+}
 
 export class VehicleBody {
   readonly group = new Group();
   private readonly frustum: LineSegments;
   private cameraKey = "";
+  private camera: CameraModel | undefined | null = null; // null: none was set yet
 
   constructor(color: string) {
-    const shell = new MeshLambertMaterial({ color });
-    const dark = new MeshLambertMaterial({ color: "#c8d3dd", side: DoubleSide });
-    const hull = new Mesh(new BoxGeometry(0.3, 0.16, 0.09), shell);
-    const nose = new Mesh(new ConeGeometry(0.07, 0.16, 12), shell);
-    nose.rotation.z = -Math.PI / 2;
-    nose.position.x = 0.22;
-    this.group.add(hull, nose);
-    for (const [x, y] of [[1, 1], [1, -1], [-1, 1], [-1, -1]] as const) {
-      const rotor = new Mesh(new RingGeometry(0.11, 0.15, 20), dark);
-      rotor.position.set(0.21 * x, 0.21 * y, 0.06);
-      const arm = new Mesh(new BoxGeometry(0.32, 0.03, 0.03), dark);
-      arm.position.set(0.12 * x, 0.12 * y, 0.02);
-      arm.rotation.z = Math.atan2(y, x);
-      this.group.add(rotor, arm);
-    }
+    this.group.add(new Mesh(airframe(color),
+      new MeshLambertMaterial({ vertexColors: true, side: DoubleSide })));
     this.frustum = new LineSegments(new BufferGeometry(),
       new LineBasicMaterial({ color, transparent: true, opacity: 0.8 }));
     this.group.add(this.frustum);
@@ -40,11 +50,13 @@ export class VehicleBody {
   place(odometry: Odometry): void {
     const { position: p, orientation: q } = odometry.pose.pose;
     this.group.position.set(p.x, p.y, p.z);
-    this.group.quaternion.copy(new Quaternion(q.x, q.y, q.z, q.w));
+    this.group.quaternion.set(q.x, q.y, q.z, q.w);
   }
 
   /** Without a camera model: 90° by 74°, straight ahead. */
   setCamera(camera: CameraModel | undefined): void {
+    if (camera === this.camera) return;
+    this.camera = camera;
     const key = camera ? JSON.stringify(camera) : "none";
     if (key === this.cameraKey) return;
     this.cameraKey = key;
@@ -66,7 +78,7 @@ export class VehicleBody {
     } else {
       this.frustum.quaternion.set(-0.5, 0.5, -0.5, 0.5); // camera z ahead, x right
     }
-    this.frustum.frustumCulled = false;
+    this.frustum.geometry.computeBoundingSphere();
   }
 }
 

@@ -1,7 +1,7 @@
 // Shapes that change every frame, in buffers that are made once.
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Line, LineBasicMaterial,
-  LineSegments, Mesh, MeshBasicMaterial,
+  Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Line,
+  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Sphere, Vector3,
 } from "three";
 
 export type Point = readonly [number, number, number];
@@ -18,31 +18,60 @@ function paint(colors: BufferAttribute, i: number, color: Color, alpha: number):
 
 const parse = new Color();
 
-/** A flat band along a path; its opacity goes from one end's to the other's. */
-export class Ribbon {
+/** The extent of what was written, so that what is out of sight is not drawn. */
+class Extent {
+  private readonly box = new Box3();
+  private readonly corner = new Vector3();
+
+  begin(): void {
+    this.box.makeEmpty();
+  }
+  add(x: number, y: number, z: number): void {
+    this.box.expandByPoint(this.corner.set(x, y, z));
+  }
+  end(geometry: BufferGeometry): void {
+    geometry.boundingSphere ??= new Sphere();
+    this.box.getBoundingSphere(geometry.boundingSphere);
+    geometry.boundingSphere.radius += 0.5; // its width
+  }
+}
+
+// Both sides in one pass: three.js would draw, and prepare, each twice.
+function flatMaterial(): MeshBasicMaterial {
+  return new MeshBasicMaterial({ vertexColors: true, transparent: true, side: DoubleSide,
+    depthWrite: false, forceSinglePass: true });
+}
+
+/** Flat bands along paths, all in one mesh; opacity goes from a band's one end to its other. */
+export class Ribbons {
   readonly mesh: Mesh;
   private readonly positions: BufferAttribute;
   private readonly colors: BufferAttribute;
+  private readonly ends: (Point | undefined)[]; // of each ribbon, and so roughly where it is
+  private readonly extent = new Extent();
 
-  constructor(private readonly capacity: number) {
+  constructor(count: number, private readonly capacity: number) {
+    this.ends = new Array<Point | undefined>(2 * count).fill(undefined);
     const geometry = new BufferGeometry();
-    this.positions = dynamic(2 * capacity, 3);
-    this.colors = dynamic(2 * capacity, 4);
+    this.positions = dynamic(2 * capacity * count, 3);
+    this.colors = dynamic(2 * capacity * count, 4);
     geometry.setAttribute("position", this.positions);
     geometry.setAttribute("color", this.colors);
     const index: number[] = [];
-    for (let i = 0; i + 1 < capacity; i++)
-      index.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2);
+    for (let ribbon = 0; ribbon < count; ribbon++)
+      for (let n = 0; n + 1 < capacity; n++) {
+        const i = 2 * (ribbon * capacity + n);
+        index.push(i, i + 1, i + 2, i + 1, i + 3, i + 2);
+      }
     geometry.setIndex(index);
-    geometry.setDrawRange(0, 0);
-    this.mesh = new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, transparent: true,
-      side: DoubleSide, depthWrite: false }));
-    this.mesh.frustumCulled = false;
+    this.mesh = new Mesh(geometry, flatMaterial());
+    this.bound();
   }
 
-  set(points: readonly Point[], width_m: number, color: (i: number) => string,
+  set(ribbon: number, points: readonly Point[], width_m: number, color: (i: number) => string,
       alpha: (share: number) => number): void {
-    const count = Math.min(points.length, this.capacity);
+    const count = points.length > 1 ? Math.min(points.length, this.capacity) : 0;
+    const first = 2 * ribbon * this.capacity;
     for (let i = 0; i < count; i++) {
       const [x, y, z] = points[i]!;
       const before = points[Math.max(0, i - 1)]!;
@@ -50,16 +79,41 @@ export class Ribbon {
       const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
       const length = Math.hypot(dx, dy) || 1;
       const [ox, oy] = [(-dy / length) * width_m * 0.5, (dx / length) * width_m * 0.5];
-      this.positions.setXYZ(2 * i, x + ox, y + oy, z);
-      this.positions.setXYZ(2 * i + 1, x - ox, y - oy, z);
+      const at = first + 2 * i;
+      this.positions.setXYZ(at, x + ox, y + oy, z);
+      this.positions.setXYZ(at + 1, x - ox, y - oy, z);
       parse.set(color(i));
-      const opacity = alpha(count > 1 ? i / (count - 1) : 0);
-      paint(this.colors, 2 * i, parse, opacity);
-      paint(this.colors, 2 * i + 1, parse, opacity);
+      const opacity = alpha(i / (count - 1));
+      paint(this.colors, at, parse, opacity);
+      paint(this.colors, at + 1, parse, opacity);
     }
+    this.close(first, count);
+    this.ends[2 * ribbon] = count > 0 ? points[0] : undefined;
+    this.ends[2 * ribbon + 1] = count > 0 ? points[count - 1] : undefined;
+    this.bound();
     this.positions.needsUpdate = true;
     this.colors.needsUpdate = true;
-    this.mesh.geometry.setDrawRange(0, count > 1 ? 6 * (count - 1) : 0);
+  }
+
+  clear(ribbon: number): void {
+    this.set(ribbon, [], 0, () => "", () => 0);
+  }
+
+  // A path stays within its length of its ends: twice their distance is far enough.
+  private bound(): void {
+    this.extent.begin();
+    for (const end of this.ends) if (end) this.extent.add(...end);
+    this.extent.end(this.mesh.geometry);
+    this.mesh.geometry.boundingSphere!.radius = 2 * this.mesh.geometry.boundingSphere!.radius + 2;
+    this.mesh.visible = this.ends.some((end) => end !== undefined);
+  }
+
+  // What is left over has no extent: triangles between equal points are not drawn.
+  private close(first: number, count: number): void {
+    const last = first + Math.max(0, 2 * count - 1);
+    for (let at = first + 2 * count; at < first + 2 * this.capacity; at++)
+      this.positions.setXYZ(at, this.positions.getX(last), this.positions.getY(last),
+        this.positions.getZ(last));
   }
 }
 
@@ -91,8 +145,7 @@ export class Fans {
       for (let i = 0; i < Fans.steps; i++)
         index.push(f * each, f * each + 1 + i, f * each + 2 + i);
     geometry.setIndex(index);
-    this.mesh = new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, transparent: true,
-      side: DoubleSide, depthWrite: false }));
+    this.mesh = new Mesh(geometry, flatMaterial());
     this.mesh.frustumCulled = false;
   }
 
@@ -149,6 +202,7 @@ export class FadingLine {
   readonly mesh: Line;
   private readonly positions: BufferAttribute;
   private readonly colors: BufferAttribute;
+  private readonly extent = new Extent();
 
   constructor(private readonly capacity: number, private readonly color: string) {
     const geometry = new BufferGeometry();
@@ -159,18 +213,21 @@ export class FadingLine {
     geometry.setDrawRange(0, 0);
     this.mesh = new Line(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true,
       depthWrite: false }));
-    this.mesh.frustumCulled = false;
+    this.extent.end(geometry);
   }
 
   set(points: readonly { x: number; y: number; z: number }[]): void {
     const count = Math.min(points.length, this.capacity);
     const from = points.length - count;
     parse.set(this.color);
+    this.extent.begin();
     for (let i = 0; i < count; i++) {
       const p = points[from + i]!;
       this.positions.setXYZ(i, p.x, p.y, p.z);
       paint(this.colors, i, parse, 0.1 + (0.8 * i) / count);
+      this.extent.add(p.x, p.y, p.z);
     }
+    this.extent.end(this.mesh.geometry);
     this.positions.needsUpdate = true;
     this.colors.needsUpdate = true;
     this.mesh.geometry.setDrawRange(0, count);

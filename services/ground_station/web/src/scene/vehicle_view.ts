@@ -9,7 +9,7 @@ import { stale_s } from "../store/watch.ts";
 import { blue, colorOf, green, intentionColor, orange } from "../ui/palette.ts";
 import { PersonBody, VehicleBody } from "./bodies.ts";
 import { polytopeEdges } from "./corridor.ts";
-import { type Fan, FadingLine, Fans, type Point, Ribbon, Segments } from "./shapes.ts";
+import { type Fan, FadingLine, Fans, type Point, Ribbons, Segments } from "./shapes.ts";
 import { voxelsOfMap, voxelsOfPoints, VoxelView } from "./voxels.ts";
 
 const planPoints = 48;
@@ -17,6 +17,7 @@ const planColor = "#f4f7fa";
 const tailColor = "#93a1af"; // where the plan only stops, and its corridor
 const corridorPeriod_s = 0.2;
 const maxPaths = 6;
+const ribbonPoints = 64;
 const reach_m = 2.5; // to which visible regions are drawn
 
 export class VehicleView {
@@ -26,8 +27,8 @@ export class VehicleView {
   private readonly person = new PersonBody(orange);
   private readonly trail: FadingLine;
   private readonly targetTrail = new FadingLine(900, orange);
-  private readonly plan = new Ribbon(planPoints + 1);
-  private readonly paths = Array.from({ length: maxPaths }, () => new Ribbon(64));
+  private readonly ribbons = new Ribbons(maxPaths + 1, ribbonPoints); // the paths, then the plan
+  private shown = { paths: false, plan: false };
   private readonly sectors = new Fans(4);
   private readonly regions = new Fans(64);
   private readonly corridor = new Segments(1500, tailColor, 0.5);
@@ -43,7 +44,7 @@ export class VehicleView {
     this.trail = new FadingLine(900, color);
     this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
     this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
-      this.plan.mesh, this.voxels.mesh, this.details, ...this.paths.map((p) => p.mesh));
+      this.ribbons.mesh, this.voxels.mesh, this.details);
   }
 
   update(state: State, vehicle: Vehicle, chosen: boolean, cut_m: number): void {
@@ -60,10 +61,9 @@ export class VehicleView {
     const fresh = (heard: { time_s: number } | undefined): boolean =>
       heard !== undefined && age_s(state, heard) < stale_s;
     const { "target/prediction": prediction, "plan/trajectory": plan } = latest;
-    this.paths.forEach((p) => (p.mesh.visible = fresh(prediction)));
-    this.plan.mesh.visible = fresh(plan);
-    if (prediction && this.isNew(prediction)) this.drawPaths(prediction.message);
-    if (plan && this.isNew(plan)) this.drawPlan(plan.message);
+    this.clearStale(fresh(prediction), fresh(plan));
+    if (prediction && this.shown.paths && this.isNew(prediction)) this.drawPaths(prediction.message);
+    if (plan && this.shown.plan && this.isNew(plan)) this.drawPlan(plan.message);
     if (chosen) this.drawDetails(state, vehicle, fresh);
     this.drawVoxels(vehicle, cut_m);
   }
@@ -72,6 +72,13 @@ export class VehicleView {
     const fresh = !this.drawn.has(heard);
     this.drawn.add(heard);
     return fresh;
+  }
+
+  private clearStale(paths: boolean, plan: boolean): void {
+    if (this.shown.paths && !paths)
+      for (let i = 0; i < maxPaths; i++) this.ribbons.clear(i);
+    if (this.shown.plan && !plan) this.ribbons.clear(maxPaths);
+    this.shown = { paths, plan };
   }
 
   private drawTrails(vehicle: Vehicle): void {
@@ -83,23 +90,26 @@ export class VehicleView {
   }
 
   private drawPaths({ paths }: TargetPrediction): void {
-    this.paths.forEach((ribbon, i) => {
+    for (let i = 0; i < maxPaths; i++) {
       const path = paths[i];
-      if (!path) return ribbon.set([], 0, () => blue, () => 0);
+      if (!path) {
+        this.ribbons.clear(i);
+        continue;
+      }
       const p = Math.min(1, Math.max(0, path.probability));
       const color = intentionColor(path.name, path.intention);
       const points = path.states.map(({ position_m: at }): Point =>
         [at[0]!, at[1]!, 0.06 + 0.02 * i]);
-      ribbon.set(points, 0.05 + 0.22 * p, () => color,
+      this.ribbons.set(i, points, 0.05 + 0.22 * p, () => color,
         (share) => (0.15 + 0.85 * p) * (1 - 0.4 * share));
-    });
+    }
   }
 
   private drawPlan(plan: PlannedTrajectory): void {
     const points = samplePlan(plan, planPoints);
     const tail = duration_s(plan) > 0 ? plan.tail_start_s / duration_s(plan) : 1;
     const isTail = (i: number): boolean => i / planPoints > tail;
-    this.plan.set(points, 0.09, (i) => (isTail(i) ? tailColor : planColor),
+    this.ribbons.set(maxPaths, points, 0.09, (i) => (isTail(i) ? tailColor : planColor),
       (share) => (share > tail ? 0.45 : 0.95));
   }
 

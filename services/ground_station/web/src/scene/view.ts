@@ -36,6 +36,7 @@ export class SceneView {
   private readonly vehicles = new Map<string, VehicleView>();
   private readonly labels = new Map<string, HTMLElement>();
   private readonly focus = new Vector3();
+  private readonly corner = new Vector3(); // of a label
   private readonly finest: number; // pixels a CSS pixel
   private generation = -1;
   private placed = false;
@@ -43,6 +44,7 @@ export class SceneView {
   private request = 0;
   private drawn_ms = 0;
   private frames = 0;
+  private script_ms = 0; // of these frames
   private counted_ms = performance.now();
 
   constructor(private readonly session: Session, private readonly host: HTMLElement) {
@@ -89,6 +91,7 @@ export class SceneView {
     this.update();
     this.renderer.render(this.scene, this.camera);
     this.placeLabels();
+    this.script_ms += performance.now() - now_ms;
     if (this.placed && !this.host.dataset["first"]) this.host.dataset["first"] = now_ms.toFixed(0);
     this.count(now_ms);
   };
@@ -155,6 +158,7 @@ export class SceneView {
   }
 
   private placeLabels(): void {
+    const { clientWidth: width, clientHeight: height } = this.host; // once: each costs a layout
     for (const vehicle of this.session.state.vehicles.values()) {
       const p = vehicle.latest["odometry"]?.message.pose.pose.position;
       if (!p) continue;
@@ -166,11 +170,11 @@ export class SceneView {
         this.host.append(label);
         this.labels.set(vehicle.name, label);
       }
-      const at = new Vector3(p.x, p.y, p.z + 0.4).project(this.camera);
-      const x = ((at.x + 1) / 2) * this.host.clientWidth;
-      const y = ((1 - at.y) / 2) * this.host.clientHeight;
-      label.hidden = at.z > 1;
-      label.style.transform =
+      const at = this.corner.set(p.x, p.y, p.z + 0.4).project(this.camera);
+      const [x, y] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
+      const hidden = at.z > 1 || Math.abs(at.x) > 1.1 || Math.abs(at.y) > 1.1;
+      if (label.hidden !== hidden) label.hidden = hidden;
+      if (!hidden) label.style.transform =
         `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px) translate(-50%, -100%)`;
     }
   }
@@ -180,6 +184,10 @@ export class SceneView {
     if (now_ms - this.counted_ms < 1000) return;
     this.host.dataset["fps"] = ((1000 * this.frames) / (now_ms - this.counted_ms)).toFixed(1);
     this.host.dataset["triangles"] = `${this.renderer.info.render.triangles}`;
+    this.host.dataset["calls"] = `${this.renderer.info.render.calls}`;
+    this.host.dataset["script"] = (this.script_ms / this.frames).toFixed(2);
+    this.host.dataset["ratio"] = this.renderer.getPixelRatio().toFixed(2);
+    this.script_ms = 0;
     this.adapt((1000 * this.frames) / (now_ms - this.counted_ms));
     this.frames = 0;
     this.counted_ms = now_ms;

@@ -1,6 +1,7 @@
 // Occupied cells: read from either map topic, drawn as instanced boxes.
 import {
-  BoxGeometry, BufferAttribute, Color, DynamicDrawUsage, InstancedMesh, MeshBasicMaterial, Object3D,
+  Box3, BoxGeometry, BufferAttribute, Color, DynamicDrawUsage, InstancedMesh, MeshBasicMaterial,
+  Object3D, Sphere, Vector3,
 } from "three";
 
 import type { LocalMap, PointCloud2 } from "../data/messages.ts";
@@ -123,7 +124,7 @@ export class VoxelView {
   constructor() {
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.setColorAt(0, new Color(1, 1, 1));
-    this.mesh.frustumCulled = false;
+    this.mesh.boundingSphere = new Sphere(new Vector3(), -1);
     this.mesh.count = 0;
   }
 
@@ -132,15 +133,19 @@ export class VoxelView {
     const found = blocks(voxels, ground_m, cut_m).slice(0, maxBlocks);
     const place = new Object3D();
     const color = new Color();
+    const extent = new Box3();
+    const corner = new Vector3();
     found.forEach(({ x0, x1, y0, y1, z0, z1 }, n) => {
       place.position.set((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
       place.scale.set(x1 - x0, y1 - y0, z1 - z0);
       place.updateMatrix();
+      extent.expandByPoint(corner.set(x0, y0, z0)).expandByPoint(corner.set(x1, y1, z1));
       this.mesh.setMatrixAt(n, place.matrix);
       const height = Math.min(1, Math.max(0, z1 / 4)); // cool and dark below, pale above
       this.mesh.setColorAt(n, color.setHSL(0.58, 0.22, 0.24 + 0.3 * height));
     });
     this.mesh.count = found.length;
+    extent.getBoundingSphere(this.mesh.boundingSphere!);
     this.mesh.instanceMatrix.needsUpdate = true;
     this.mesh.instanceColor!.needsUpdate = true;
   }

@@ -2,6 +2,7 @@
 import type { Odometry, PlannedTrajectory, Quaternion, TargetState, TrajectoryPiece,
 } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
+import type { State, Vehicle } from "./state.ts";
 
 export function yawOf(q: Quaternion): number {
   return Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
@@ -16,6 +17,17 @@ export function distance_m(odometry?: Odometry, target?: TargetState): number | 
   if (!odometry || !target || target.status === Track.none) return null;
   const from = odometry.pose.pose.position;
   return Math.hypot(target.position_m[0]! - from.x, target.position_m[1]! - from.y);
+}
+
+/** The distances that its planner keeps, which are among the values of a diagnostic; null: unknown. */
+export function band_m(state: State, vehicle: Vehicle): [number, number] | null {
+  for (const { message } of state.diagnostics.values()) {
+    if (message.hardware_id !== vehicle.name) continue;
+    const value = (key: string) => Number(message.values.find((v) => v.key === key)?.value);
+    const band: [number, number] = [value("distance_low_m"), value("distance_high_m")];
+    if (band.every(Number.isFinite)) return band;
+  }
+  return null;
 }
 
 /** Bearing of the person off the nose, left positive; null: not known. */

@@ -30,9 +30,9 @@ export class Session {
   replay: Replay | null = null;
   chosen = ""; // vehicle
   span_s = 30; // of the plots
-  band_m: [number, number] = [1.5, 2.5]; // of distance that the planner keeps
   generation = 0; // of the shown state: the scene and the plots begin anew
   message = { text: "", bad: false }; // the answer to the last order, for some seconds
+  private sorted: { of: unknown; list: Vehicle[] } = { of: null, list: [] };
   private fed_ms = 0;
   private readonly live = makeStage();
   private replayed: Stage = makeStage();
@@ -59,8 +59,11 @@ export class Session {
   }
   /** In the order of their names, whichever was heard first. */
   get vehicles(): Vehicle[] {
-    return [...this.state.vehicles.values()].sort((a, b) =>
-      a.name.localeCompare(b.name, undefined, { numeric: true }));
+    const { vehicles } = this.state;
+    if (this.sorted.of !== vehicles || this.sorted.list.length !== vehicles.size)
+      this.sorted = { of: vehicles, list: [...vehicles.values()].sort((a, b) =>
+        a.name.localeCompare(b.name, undefined, { numeric: true })) };
+    return this.sorted.list;
   }
 
   /** The vehicle that orders go to: of the live ones, also while a recording is shown. */

@@ -53,6 +53,14 @@ test("the plots tell the newest values", async () => {
     /gate track · plan fresh · person tracking/);
 });
 
+test("the band of distances is the one that the planner says", async () => {
+  const colored = (band: string) =>
+    expectText(page, `[data-field="distance"]${band}`, /^(1\.[67-9]\d|2\.[0-3]\d) m$/);
+  await colored(":not(.off)");
+  station.band_m = [5, 6];
+  await colored(".off");
+});
+
 test("the cursor is shared by all plots", async () => {
   const over = page.locator(".u-over");
   await over.nth(0).hover({ position: { x: 300, y: 20 } });

@@ -1,0 +1,51 @@
+// scene.mjs [VEHICLES [SECONDS]]: frames a second of the page's scene on a made-up flight, in a
+// browser without a graphics card; draw calls, and what a frame costs the page's own script. JSON.
+import { readdirSync, readFileSync } from "node:fs";
+
+import { launch, open } from "../tests/chromium.mjs";
+import { startStandIn } from "../tests/stand_in.mjs";
+
+/** Seconds of processor that each kind of the browser's processes, and this one, have had. */
+function processor() {
+  const spent = { page: 0, graphics: 0, browser: 0, made_up_flight: process.cpuUsage().user / 1e6 };
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    try {
+      const command = readFileSync(`/proc/${pid}/cmdline`, "utf8");
+      if (!command.includes("chromium")) continue;
+      const fields = readFileSync(`/proc/${pid}/stat`, "utf8").split(") ")[1].split(" ");
+      const kind = command.includes("--type=renderer") ? "page"
+        : command.includes("--type=gpu-process") ? "graphics" : "browser";
+      spent[kind] += (Number(fields[11]) + Number(fields[12])) / 100;
+    } catch { /* it has ended */ }
+  }
+  return spent;
+}
+
+const [vehicles = 8, seconds = 15] = process.argv.slice(2).map(Number);
+const station = await startStandIn({ vehicles });
+const browser = await launch({ scene: true });
+const page = await open(browser, station.url, { name: "ada" });
+await page.waitForSelector("[data-first]", { timeout: 60000 });
+const first_ms = Number(await page.getAttribute("[data-first]", "data-first"));
+await page.waitForTimeout(5000);
+const samples = [];
+const before = processor();
+for (let i = 0; i < seconds; i++) {
+  await page.waitForTimeout(1000);
+  samples.push(await page.evaluate(() => ({ ...document.querySelector("[data-first]").dataset })));
+}
+const after = processor();
+const middle = (key) => {
+  const sorted = samples.map((s) => Number(s[key])).sort((a, b) => a - b);
+  return sorted[sorted.length >> 1];
+};
+const frames = samples.reduce((sum, s) => sum + Number(s.fps), 0);
+const cpu_ms_a_frame = Object.fromEntries(Object.keys(after).map((kind) =>
+  [kind, Number((1000 * (after[kind] - before[kind]) / frames).toFixed(1))]));
+console.log(JSON.stringify({ vehicles, first_picture_ms: first_ms, fps: middle("fps"),
+  fps_all: samples.map((s) => Number(s.fps)), calls: middle("calls"),
+  triangles: middle("triangles"), script_ms: middle("script"), ratio: middle("ratio"), cpu_ms_a_frame }));
+if (process.env["SHOT"]) await page.screenshot({ path: process.env["SHOT"] });
+await browser.close();
+station.close();
+process.exit(0);
