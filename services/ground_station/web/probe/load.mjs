@@ -1,8 +1,9 @@
-// load.mjs URL CLIENTS SECONDS: so many clients subscribe to everything; prints, as JSON, what they
-// got and how old it was on arrival (both clocks are this machine's).
+// load.mjs URL CLIENTS SECONDS [PATTERN]: so many clients subscribe to everything, or to the topics that
+// fit; prints, as JSON, what they got and how old it was on arrival (both clocks are this machine's).
 import WebSocket from "ws";
 
 const [url, clients, seconds] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4])];
+const pattern = new RegExp(process.argv[5] ?? ".");
 const ages = [];
 let messages = 0;
 let bytes = 0;
@@ -21,7 +22,8 @@ function open() {
     }
     const message = JSON.parse(data);
     if (message.op !== "advertise") return;
-    const subscriptions = message.channels.map(({ id }) => ({ id: next++, channelId: id }));
+    const wanted = message.channels.filter(({ topic }) => pattern.test(topic));
+    const subscriptions = wanted.map(({ id }) => ({ id: next++, channelId: id }));
     socket.send(JSON.stringify({ op: "subscribe", subscriptions }));
   });
   socket.on("close", (code, reason) => closed.push(`${code} ${reason}`));

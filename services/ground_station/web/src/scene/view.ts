@@ -38,10 +38,13 @@ export class SceneView {
   private readonly focus = new Vector3();
   private readonly corner = new Vector3(); // of a label
   private readonly finest: number; // pixels a CSS pixel
+  private readonly observer = new ResizeObserver(() => this.fit());
+  private size = { width: 0, height: 0 }; // kept, as asking for it costs a layout
   private generation = -1;
   private placed = false;
   private period_ms = period_ms;
   private request = 0;
+  private steady = 0; // seconds in which the slow pace was kept
   private drawn_ms = 0;
   private frames = 0;
   private script_ms = 0; // of these frames
@@ -62,6 +65,8 @@ export class SceneView {
     sun.position.set(4, -6, 10);
     this.scene.add(this.grid, new AmbientLight("#ffffff", 1.2), sun);
     this.setView("follow");
+    this.observer.observe(host);
+    this.fit();
     this.loop();
   }
 
@@ -76,6 +81,7 @@ export class SceneView {
 
   destroy(): void {
     cancelAnimationFrame(this.request);
+    this.observer.disconnect();
     this.labels.forEach((label) => label.remove());
     this.controls.dispose();
     this.renderer.dispose();
@@ -85,9 +91,8 @@ export class SceneView {
   private readonly loop = (): void => {
     this.request = requestAnimationFrame(this.loop);
     const now_ms = performance.now();
-    if (now_ms - this.drawn_ms < this.period_ms - 4 || this.host.clientWidth === 0) return;
+    if (now_ms - this.drawn_ms < this.period_ms - 4 || this.size.width === 0) return;
     this.drawn_ms = now_ms;
-    this.fit();
     this.update();
     this.renderer.render(this.scene, this.camera);
     this.placeLabels();
@@ -98,8 +103,8 @@ export class SceneView {
 
   private fit(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
-    const { domElement } = this.renderer;
-    if (domElement.clientWidth === width && domElement.clientHeight === height) return;
+    this.size = { width, height };
+    if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -158,7 +163,7 @@ export class SceneView {
   }
 
   private placeLabels(): void {
-    const { clientWidth: width, clientHeight: height } = this.host; // once: each costs a layout
+    const { width, height } = this.size;
     for (const vehicle of this.session.state.vehicles.values()) {
       const p = vehicle.latest["odometry"]?.message.pose.pose.position;
       if (!p) continue;
@@ -196,7 +201,9 @@ export class SceneView {
   // Coarser where the machine cannot keep up, finer again where it can.
   private adapt(fps: number): void {
     const ratio = this.renderer.getPixelRatio();
+    this.steady = this.period_ms === slowPeriod_ms && fps > 11 ? this.steady + 1 : 0;
     if (fps < 10 && ratio <= 0.5) this.period_ms = slowPeriod_ms;
+    else if (this.steady >= 4) this.period_ms = period_ms; // perhaps it can now
     const wanted = fps < 12 ? Math.max(0.5, 0.8 * ratio)
       : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
     if (Math.abs(wanted - ratio) > 0.01) this.renderer.setPixelRatio(wanted);
