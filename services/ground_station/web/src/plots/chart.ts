@@ -72,7 +72,7 @@ export class Chart {
     this.plot = new uPlot({
       width, height,
       legend: { show: false },
-      padding: [4, 8, this.last ? 0 : 4, 0],
+      padding: [6, 8, this.last ? 0 : 6, 0],
       cursor: { sync: { key: "time", setSeries: false }, drag: { x: false, y: false },
         points: { size: 5 } },
       scales: {
