@@ -1,5 +1,6 @@
 #include "services/ground_station/station.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <cstdio>
@@ -242,6 +243,7 @@ std::filesystem::path default_audit_file() {
 void run_station(const StationOptions& options, Stop& stop) {
   validate_or_throw(options);
   setpriority(PRIO_PROCESS, 0, kNiceness);
+  mallopt(M_ARENA_MAX, 2);  // images go from thread to thread: more would keep more of them
   Station station(options, stop);
   std::printf("station: %s\n", station.url().c_str());
   if (!options.print_token) std::printf("operators' tokens: %s\n", options.token_file.c_str());

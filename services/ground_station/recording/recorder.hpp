@@ -21,7 +21,7 @@ struct RecorderOptions {
   std::filesystem::path folder = "recordings";
   std::vector<std::string> topics;  // only those that contain one of these; empty: all
   std::uint64_t split_bytes = 1ull << 30;
-  std::size_t queue_bytes = 64u << 20;  // what a slow disk may leave waiting; more is lost
+  std::size_t queue_bytes = 32u << 20;  // what a slow disk may leave waiting; more is lost
   std::map<std::string, std::map<std::string, std::string>> metadata;  // by name
 };
 
