@@ -20,7 +20,7 @@ namespace {
 constexpr double kStatusPeriod_s = 0.5;
 constexpr double kCheckPeriod_s = 0.25;
 constexpr double kCommandPeriod_s = 0.02;
-constexpr int kNiceness = 10;  // what flies comes first, where both share a machine
+constexpr int kNiceness = 5;  // what flies comes first, where both share a machine
 constexpr char kVersion[] = FORETRACK_VERSION;
 constexpr std::string_view kSafetyTopic = "/safety/state";
 
