@@ -1,8 +1,25 @@
 #include "bench/prediction/windows.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace foretrack::bench {
+namespace {
+
+// Of what is believed: who has just stopped but still seems to walk, for a filter is late, is one
+// whose speed halves. The truth alone would teach that nothing follows the signs of a stop.
+std::optional<Intention> label_of(const Truth& truth, int i, const TargetState& target) {
+  constexpr double kLate_s = 0.4, kWalking_m_s = 0.3;
+  if (const auto label = label_at(truth, i)) return label;
+  const int before = std::max(0, i - truth.steps(kLate_s));
+  const double speed_m_s = truth.samples[i].speed_m_s();
+  const bool just_stopped = i + truth.steps(1.0) < truth.count() && speed_m_s < kWalking_m_s &&
+                            truth.samples[before].speed_m_s() > 2.0 * kWalking_m_s;
+  if (!just_stopped || target.speed_m_s() < 2.0 * speed_m_s) return std::nullopt;
+  return Intention::kDecelerate;
+}
+
+}  // namespace
 
 std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params,
                                bool hide_map, bool hide_body) {
@@ -16,7 +33,7 @@ std::vector<Window> windows_of(const Episode& episode, const PredictionParams& p
     if (hide_body) target.body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
     const MotionCues motion = observe_motion(history, target, params);
     if (k % kEvery != 0) continue;
-    const auto label = label_at(episode.truth, k * kTruthPerEstimate);
+    const auto label = label_of(episode.truth, k * kTruthPerEstimate, episode.estimates[k]);
     if (!label) continue;
     const Surroundings surroundings = observe_surroundings(map, motion, params);
     IntentionAssessment assessment;

@@ -20,6 +20,10 @@ double positive(double x) {
   return std::max(x, 0.0);
 }
 
+double square(double x) {
+  return x * x;
+}
+
 // One side of a target that may turn to it.
 struct Side {
   double sign;  // +1 left, −1 right
@@ -109,17 +113,18 @@ void write_decelerate(const MotionCues& motion, const Surroundings& surroundings
   out.add(std::clamp(assessment[Intention::kDecelerate].observation, 0.0, 3.0));
   out.add(std::abs(std::clamp(motion.turn_rate_rad_s, -3.0, 3.0)));
   out.add(std::abs(std::clamp(motion.steady_body_turn_rad, -1.2, 1.2)));
-  // Falls in fifths of the speed: of a size with the other features, whose weights are kept small.
-  double greatest = 0.0;
+  // The share of the speed that is lost; for a corner too, but there the chest turns.
+  const double swing = std::abs(motion.body_swing_rad.back());
+  const double straight = std::exp(-square(swing / 0.35));
+  const double speed = motion.measured.velocity_m_s.norm();
+  double lost = 0.0;
   for (const double fall_m_s : motion.recent_fall_m_s) {
-    const double fifths = std::clamp(5.0 * fall_m_s / std::max(motion.speed_m_s, 0.3), -4.0, 4.0);
-    out.add(fifths);
-    greatest = std::max(greatest, fifths);
+    lost = std::clamp(fall_m_s / std::max(speed + fall_m_s, 0.3), -1.0, 1.0);
+    out.add(2.0 * lost);
   }
-  out.add(greatest * greatest / 4.0);
-  const double swing = std::abs(motion.body_swing_rad[MotionCues::kTellingSwing]);
-  out.add(std::min(swing, 1.2));
-  out.add(std::min(swing, 1.2) * greatest);
+  out.add(5.0 * straight * positive(lost));
+  out.add(5.0 * straight * square(positive(lost)));
+  out.add(std::min(swing, 1.5));
   out.add(motion.manoeuvre);
   if (!map_known) return;
   const double obstacle_s = time_to_obstacle_s(motion, surroundings);

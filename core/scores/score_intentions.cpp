@@ -15,6 +15,7 @@ constexpr double kEarliest_s = 1.0;    // an announcement is right if the event 
 constexpr double kLatest_s = 0.8;      // or began this long before
 constexpr double kNever_s = -1.0;      // lead of an event that was not announced
 constexpr double kLongestGap_s = 0.1;  // between moments; a longer one is not walked time
+constexpr double kAfterwards_s = 1.0;
 constexpr double kLeastProbability = 1e-9;
 constexpr int kLeft = index_of(Intention::kTurnLeft), kRight = index_of(Intention::kTurnRight);
 constexpr int kStop = index_of(Intention::kDecelerate);
@@ -85,11 +86,13 @@ double square(double x) {
 }  // namespace
 
 void IntentionScorer::add(const Moments& said, const Truth& truth) {
-  Moments walking;
+  Moments walking, stopping;  // the latter with what is said just after, when a stop is noticed
   double next_window_s = 0.0;
   for (const SaidIntention& m : said) {
     if (!truth.knows(m.time_s)) continue;
     const auto label = label_at(truth, truth.steps(m.time_s));
+    if (label || (!walking.empty() && m.time_s - walking.back().time_s <= kAfterwards_s))
+      stopping.push_back(m);
     if (!label) continue;
     if (!walking.empty() && m.time_s - walking.back().time_s < kLongestGap_s)
       walked_s_ += m.time_s - walking.back().time_s;
