@@ -5,20 +5,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+#include "bench/cpu_time.hpp"
 #include "core/planning/trajectory_cost.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {
 
 using namespace foretrack;
-
-double cpu_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 struct Outcome {
   double ms = 0.0, cost = 0.0;

@@ -1,20 +1,14 @@
 // Cost of one update of the map, in CPU time: a vehicle flies through rooms at 2 m/s.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
+#include "bench/cpu_time.hpp"
 #include "core/mapping/update_map.hpp"
 #include "tests/core/mapping/box_world.hpp"
 
 namespace {
 
 using namespace foretrack;
-
-double cpu_s() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 test::World rooms() {
   test::World world = {{{-20, -20, -0.3}, {60, 20, 0}}, {{-20, -20, 2.8}, {60, 20, 3}}};

@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+#include "bench/cpu_time.hpp"
 #include "core/planning/optimize_trajectory.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {
 
 using namespace foretrack;
-
-double cpu_ms() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 double quantile(std::vector<double> values, double q) {
   std::ranges::sort(values);

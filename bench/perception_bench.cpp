@@ -1,18 +1,12 @@
 // Accuracy of the estimate of a walking person, and the cost of one observation in CPU time.
 #include <cstdio>
-#include <ctime>
 
+#include "bench/cpu_time.hpp"
 #include "tests/core/perception/tracking_error.hpp"
 
 namespace {
 
 using namespace foretrack;
-
-double cpu_s() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 void print_accuracy(double speed_m_s, double range_m, double noise) {
   test::FollowScene scene;

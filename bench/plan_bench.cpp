@@ -4,22 +4,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <string>
 
+#include "bench/cpu_time.hpp"
 #include "core/prediction/predict.hpp"
 #include "tests/core/planning/plan_loop.hpp"
 
 using namespace foretrack;
 
 namespace {
-
-double cpu_s() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Case {
   const char* name;

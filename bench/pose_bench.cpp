@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
+#include "bench/cpu_time.hpp"
 #include "core/perception/detect_people.hpp"
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sample_image.hpp"
@@ -17,12 +17,6 @@
 namespace {
 
 using namespace foretrack;
-
-double cpu_ms() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-}
 
 template <class Call>
 void measure(const char* what, int images, Call call) {
@@ -60,6 +54,7 @@ int main(int argc, char** argv) {
                     network.landmarks->input());
     });
     if (model == 0)
-      measure("detector", count, [&](int) { detect_people(image, whole_of(image), *network.detector, 0.5); });
+      measure("detector", count,
+              [&](int) { detect_people(image, whole_of(image), *network.detector, 0.5); });
   }
 }

@@ -1,11 +1,11 @@
 // Cost of rendered camera images, and a look at them.
 //   render_bench [--scenario NAME] [--seed N] [--person NAME] [--at S]... [--picture FILE]
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <ctime>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "bench/cpu_time.hpp"
+#include "bench/run_bench.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/simulate.hpp"
 #include "services/config/load_scenario.hpp"
@@ -20,12 +20,6 @@ struct Options {
   std::uint64_t seed = 1;
   double at_s = 3.0, distance_m = 3.0, bearing_deg = 150.0, eye_m = 1.5;
 };
-
-double cpu_s() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // Looks at the person from beside their walk; 0° is in front of them.
 VehicleState viewpoint(const PersonState& person, const Options& o) {
@@ -79,11 +73,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--eye", o.eye_m, "height of the camera, m")->capture_default_str();
   app.add_option("--picture", o.picture, "PNG or JPEG to write");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(o);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return run_bench(app, argc, argv, [&] { return run(o); });
 }

@@ -1,19 +1,13 @@
 // Cost of the simulator, in CPU time: steps, depth images, sight, the known map, a route.
 #include <cstdio>
-#include <ctime>
 
+#include "bench/cpu_time.hpp"
 #include "core/simulator/route.hpp"
 #include "core/simulator/simulate.hpp"
 
 namespace {
 
 using namespace foretrack;
-
-double cpu_s() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 template <class Work>
 void measure(const char* what, int times, Work&& work) {

@@ -1,11 +1,11 @@
 // What the pose network makes of rendered people, and flights that see by it.
 //   camera_bench [--walks N] [--flights N] [--first SEED] [--params FILE] [--json]
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "bench/camera/walks.hpp"
+#include "bench/run_bench.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
 #include "services/flight/fly.hpp"
@@ -36,14 +36,22 @@ double share_of(int part, int whole) {
   return whole > 0 ? static_cast<double>(part) / whole : std::nan("");
 }
 
+Json json_of(const PoseErrors& e) {
+  return {{"horizontal_m", {quantile(e.horizontal_m, 0.5), quantile(e.horizontal_m, 0.95)}},
+          {"range_bias_m", quantile(e.range_m, 0.5)},
+          {"horizontal_filtered_m", quantile(e.horizontal_filtered_m, 0.5)},
+          {"yaw_deg", {deg(quantile(e.yaw_rad, 0.5)), deg(quantile(e.yaw_rad, 0.95))}},
+          {"yaw_filtered_deg", deg(quantile(e.yaw_filtered_rad, 0.5))}};
+}
+
 Json json_of(const WalkScores& s) {
-  return {{"frames_in_view", s.in_view},
+  return {{"frames", s.frames},
+          {"frames_in_view", s.in_view},
           {"detected", share_of(s.detected, s.in_view)},
-          {"horizontal_m", {quantile(s.horizontal_m, 0.5), quantile(s.horizontal_m, 0.95)}},
-          {"range_bias_m", quantile(s.range_m, 0.5)},
-          {"horizontal_filtered_m", quantile(s.horizontal_filtered_m, 0.5)},
-          {"yaw_deg", {deg(quantile(s.yaw_rad, 0.5)), deg(quantile(s.yaw_rad, 0.95))}},
-          {"yaw_filtered_deg", deg(quantile(s.yaw_filtered_rad, 0.5))},
+          {"partly_in_view", s.partly},
+          {"detected_partly", share_of(s.detected_partly, s.partly)},
+          {"by_height", json_of(s.by_height)},
+          {"by_depth", json_of(s.by_depth)},
           {"hidden_frames", s.hidden},
           {"hidden_without_pose", 1.0 - share_of(s.false_poses, s.hidden)},
           {"appearances", s.appearances},
@@ -70,10 +78,13 @@ Json run_walks(const Options& o, const PerceptionParams& params) {
     run_walk(w, network, params, own);
     total.add(own);
     if (!o.json)
-      std::printf("%-5s %.2f m tall, %.0f m away: %3d of %3d, %.3f m (range %+.3f), yaw %.1f°\n",
-                  w.person.c_str(), w.height_m, w.distance_m, own.detected, own.in_view,
-                  quantile(own.horizontal_m, 0.5), quantile(own.range_m, 0.5),
-                  deg(quantile(own.yaw_rad, 0.5)));
+      std::printf(
+          "%-5s %.2f m tall, %.0f m away: %3d of %3d, %.3f m (range %+.3f), yaw %.1f°, "
+          "with depth %.3f m (%+.3f)\n",
+          w.person.c_str(), w.height_m, w.distance_m, own.detected + own.detected_partly,
+          own.in_view + own.partly, quantile(own.by_height.horizontal_m, 0.5),
+          quantile(own.by_height.range_m, 0.5), deg(quantile(own.by_height.yaw_rad, 0.5)),
+          quantile(own.by_depth.horizontal_m, 0.5), quantile(own.by_depth.range_m, 0.5));
     std::fflush(stdout);
   }
   for (int i = 0; i < o.hidden; ++i) {
@@ -133,11 +144,5 @@ int main(int argc, char** argv) {
   app.add_option("--first", o.first, "first seed")->capture_default_str();
   app.add_option("--params", o.params)->check(CLI::ExistingFile);
   app.add_flag("--json", o.json, "only the report");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(o);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return run_bench(app, argc, argv, [&] { return run(o); });
 }

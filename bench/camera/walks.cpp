@@ -1,8 +1,8 @@
 #include "bench/camera/walks.hpp"
 
-#include <ctime>
-
+#include "bench/cpu_time.hpp"
 #include "core/perception/expected_place.hpp"
+#include "core/perception/torso_depth.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "services/people/load_person.hpp"
@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kStep_s = 0.01;
 constexpr double kFrame_s = 1.0 / 30.0;
-
-double cpu_s() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // Houses all around, so that the person is before walls, sky and edges.
 World square_of_houses(Random& random) {
@@ -53,8 +47,9 @@ struct Scene {
   World world;
   Person person;
   ColorCamera camera;
+  DepthCamera depth;
   PoseState eye{};
-  PerceptionState filter{};
+  PerceptionState filter{}, filter_with_depth{};
   VehicleHistory vehicles{};
   VehicleState vehicle{};
 
@@ -67,7 +62,8 @@ struct Scene {
         world(std::move(where)),
         person(make_person({.height_m = w.height_m, .start_s = 0.3, .stops = {}},
                            walk_along(route, {1.4, 3.0, 0.45}), 0.0)),
-        camera(make_color_camera({}, world, load_person(w.person))) {
+        camera(make_color_camera({}, world, load_person(w.person))),
+        depth(make_depth_camera({}, w.seed)) {
     params.target_height_m = w.height_m;
   }
 
@@ -80,13 +76,18 @@ struct Scene {
     vehicles.add(vehicle);
   }
 
-  bool wholly_in_view() const {
+  enum class View { kWhole, kPart, kNone };  // part: the head and the torso, at least
+  View view() const {
     const Pose T = (vehicle.T_world_body() * camera.params.camera.T_body_camera).inverse();
-    for (const Vec3& joint : joints_enu_m(person.state, walk.height_m)) {
-      const auto px = camera.params.camera.project(T * joint);
-      if (!px || !camera.params.camera.contains(*px)) return false;
+    const auto joints = joints_enu_m(person.state, walk.height_m);
+    View view = View::kWhole;
+    for (int i = 0; i < kLandmarkCount; ++i) {
+      const auto px = camera.params.camera.project(T * joints[i]);
+      if (px && camera.params.camera.contains(*px)) continue;
+      if (i <= kRightShoulder || i == kLeftHip || i == kRightHip) return View::kNone;
+      view = View::kPart;
     }
-    return true;
+    return view;
   }
 
   PoseResult see() {
@@ -105,21 +106,29 @@ struct Scene {
   void measure(const PoseResult& result) {
     const auto observation =
         to_observation(result.person, vehicle.stamp_s, camera.params.camera, params);
-    const PerceptionResult out = perceive(filter, observation, vehicles, params);
+    note(perceive(filter, observation, vehicles, params), scores.by_height);
+    depth.next_image_s = vehicle.stamp_s;
+    const auto surface_m = torso_surface_depth_m(observation, *depth_of(camera, depth));
+    note(perceive(filter_with_depth, observation, vehicles, params,
+                  surface_m.value_or(std::nan(""))),
+         scores.by_depth);
+  }
+
+  void note(const PerceptionResult& out, PoseErrors& errors) const {
     if (out.status != PerceptionStatus::kAccepted && out.status != PerceptionStatus::kStarted &&
         out.status != PerceptionStatus::kGated)
       return;
     const Vec3& truth = person.state.position_enu_m;
     const Vec2 error = (out.measured.position_enu_m - truth).head<2>();
     const Vec2 sight = (truth - vehicle.position_enu_m).head<2>().normalized();
-    scores.horizontal_m.push_back(error.norm());
-    scores.range_m.push_back(error.dot(sight));
-    scores.horizontal_filtered_m.push_back(distance_xy(out.target.position_enu_m, truth));
+    errors.horizontal_m.push_back(error.norm());
+    errors.range_m.push_back(error.dot(sight));
+    errors.horizontal_filtered_m.push_back(distance_xy(out.target.position_enu_m, truth));
     const double yaw = person.state.body_yaw_rad;
     if (std::isfinite(out.measured.yaw_rad))
-      scores.yaw_rad.push_back(std::abs(wrap_angle(out.measured.yaw_rad - yaw)));
+      errors.yaw_rad.push_back(std::abs(wrap_angle(out.measured.yaw_rad - yaw)));
     if (std::isfinite(out.target.body_yaw_rad))
-      scores.yaw_filtered_rad.push_back(std::abs(wrap_angle(out.target.body_yaw_rad - yaw)));
+      errors.yaw_filtered_rad.push_back(std::abs(wrap_angle(out.target.body_yaw_rad - yaw)));
   }
 
   template <class Aim>
@@ -134,19 +143,27 @@ struct Scene {
   }
 };
 
+void append(std::vector<double>& to, const std::vector<double>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+void append(PoseErrors& to, const PoseErrors& from) {
+  append(to.horizontal_m, from.horizontal_m);
+  append(to.horizontal_filtered_m, from.horizontal_filtered_m);
+  append(to.range_m, from.range_m);
+  append(to.yaw_rad, from.yaw_rad);
+  append(to.yaw_filtered_rad, from.yaw_filtered_rad);
+}
+
 }  // namespace
 
 void WalkScores::add(const WalkScores& other) {
-  const auto append = [](auto& to, const auto& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
+  append(by_height, other.by_height);
+  append(by_depth, other.by_depth);
   in_view += other.in_view;
   detected += other.detected;
-  append(horizontal_m, other.horizontal_m);
-  append(range_m, other.range_m);
-  append(yaw_rad, other.yaw_rad);
-  append(yaw_filtered_rad, other.yaw_filtered_rad);
-  append(horizontal_filtered_m, other.horizontal_filtered_m);
+  partly += other.partly;
+  detected_partly += other.detected_partly;
   hidden += other.hidden;
   false_poses += other.false_poses;
   appearances += other.appearances;
@@ -171,10 +188,12 @@ void run_walk(const WalkCase& walk, PoseNetwork& network, const PerceptionParams
     scene.look_from({p.x(), p.y(), eye_m}, around + rad(12.0) * std::sin(0.9 * t),
                     rad(6.0) * std::sin(1.7 * t), rad(5.0) * std::sin(1.3 * t + 1.0));
     const PoseResult result = scene.see();
-    if (!scene.wholly_in_view()) return;
-    ++scores.in_view;
+    const auto view = scene.view();
+    if (view == Scene::View::kNone) return;
+    const bool whole = view == Scene::View::kWhole;
+    ++(whole ? scores.in_view : scores.partly);
     if (!result.found()) return;
-    ++scores.detected;
+    ++(whole ? scores.detected : scores.detected_partly);
     scene.measure(result);
   });
 }

@@ -19,14 +19,19 @@ struct WalkCase {
   double seconds = 8.0;
 };
 
+/// Of each measured position and yaw, and of the filter's estimate at the image.
+struct PoseErrors {
+  std::vector<double> horizontal_m, horizontal_filtered_m;
+  std::vector<double> range_m;  // along the line of sight, signed
+  std::vector<double> yaw_rad, yaw_filtered_rad;
+};
+
 /// Of all frames of all walks.
 struct WalkScores {
-  int in_view = 0, detected = 0;     // whole person before the camera, nothing between
-  std::vector<double> horizontal_m;  // error of each measured position
-  std::vector<double> range_m;       // along the line of sight, signed
-  std::vector<double> yaw_rad;       // error of each measured body yaw
-  std::vector<double> yaw_filtered_rad, horizontal_filtered_m;  // of the estimate at the image
-  int hidden = 0, false_poses = 0;                              // nothing of the person in sight
+  int in_view = 0, detected = 0;        // whole person before the camera, nothing between
+  int partly = 0, detected_partly = 0;  // the torso and the head at least, but not all
+  PoseErrors by_height, by_depth;       // range from the known height; corrected by a depth image
+  int hidden = 0, false_poses = 0;      // nothing of the person in sight
   int appearances = 0;
   std::vector<double> found_again_s;         // from an appearance to the first pose
   double network_ms = 0.0, render_ms = 0.0;  // CPU, sums

@@ -11,9 +11,10 @@
 namespace foretrack {
 
 /// A person as the network sees one: landmarks in the pixels of the whole image, and in metres from
-/// the middle of the hips with the camera's axes, for a person of kNetworkHeight_m: everybody's
-/// ears are 1.41 m above their ankles, bones added up, which is 0.887 of the height (Drillis and
-/// Contini 1966) of 1.59 m; by the range of rendered people (bench/camera) it is 1.62 m.
+/// the middle of the hips with the axes of a camera that looks at the middle of the region, for a
+/// person of kNetworkHeight_m: everybody's ears are 1.41 m above their ankles, bones added up,
+/// which is 0.887 of the height (Drillis and Contini 1966) of 1.59 m; by the range of rendered
+/// people (bench/camera) it is 1.62 m.
 struct PersonPose {
   std::array<Landmark, kLandmarkCount> landmarks{};
   double score = 0.0;   // [0, 1]: that there is a person in the region

@@ -7,7 +7,7 @@ namespace foretrack {
 
 struct PerceptionParams {
   // Images → landmarks.
-  int model_complexity = 0;  // of the pose network; see PoseModel
+  int model_complexity = 1;  // of the pose network; see PoseModel
   double min_detection_score = 0.5;
   double min_pose_score = 0.5;
   double detector_period_s = 0.03;

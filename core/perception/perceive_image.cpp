@@ -134,8 +134,13 @@ TargetObservation to_observation(const PersonPose& person, double stamp_s,
   observation.stamp_s = stamp_s;
   observation.camera = camera;
   observation.landmarks = person.landmarks;
+  const Vec2& at_px = person.region.centre_px;
+  const Vec3 ray((at_px.x() - camera.cx_px) / camera.fx_px,
+                 (at_px.y() - camera.cy_px) / camera.fy_px, 1.0);
+  const Quat q_camera_ray = Quat::FromTwoVectors(Vec3::UnitZ(), ray);
   for (Landmark& landmark : observation.landmarks)
-    landmark.body_m *= params.landmark_height_m / kNetworkHeight_m;
+    landmark.body_m =
+        params.landmark_height_m / kNetworkHeight_m * (q_camera_ray * landmark.body_m);
   return observation;
 }
 

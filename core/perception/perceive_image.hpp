@@ -58,7 +58,8 @@ std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,
                                     const PerceptionParams& params);
 
 /// As perceive() takes it: the joints are scaled to the height that the parameters say landmarks
-/// are of. Precondition: result.found().
+/// are of, and turned to the camera's axes: the network sees nothing but the region, and takes
+/// everybody to be in the middle of the image.
 TargetObservation to_observation(const PersonPose& person, double stamp_s,
                                  const CameraModel& camera, const PerceptionParams& params);
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/simulator/rest_pose.hpp"
 #include "core/simulator/scenery.hpp"
 
 namespace foretrack {
@@ -51,22 +52,14 @@ std::vector<Capsule> capsules_of(const Skeleton& s) {
   return capsules;
 }
 
-float distance_of(const Capsule& c, const Vec3f& p) {
-  const Vec3f axis = c.to - c.from;
-  const float along = std::clamp((p - c.from).dot(axis) / axis.squaredNorm(), 0.0F, 1.0F);
-  return (p - c.from - along * axis).norm() - c.radius;
-}
-
-// `middle`: between the ankles; lower legs are never joined, however near.
-PersonModel::Skin skin_of(const std::vector<Capsule>& capsules, float middle,
-                          const Vec3f& position) {
+// `leg`: 0 left, 1 right; lower legs are never joined, however near.
+PersonModel::Skin skin_of(const std::vector<Capsule>& capsules, int leg, const Vec3f& position) {
   std::array<float, kBoneCount> distance;
   distance.fill(std::numeric_limits<float>::max());
   for (const Capsule& c : capsules) {
-    const bool lower_leg = c.bone >= kShank;
-    const float across = c.bone % 2 == 0 ? middle - position.y() : position.y() - middle;
-    const float apart = lower_leg && across > 0.0F ? kOtherLeg : 0.0F;
-    distance[c.bone] = std::min(distance[c.bone], distance_of(c, position) + apart);
+    const float apart = c.bone >= kShank && c.bone % 2 != leg ? kOtherLeg : 0.0F;
+    distance[c.bone] =
+        std::min(distance[c.bone], distance_to_segment(position, c.from, c.to) - c.radius + apart);
   }
   int first = 0, second = 1;
   if (distance[1] < distance[0]) std::swap(first, second);
@@ -100,48 +93,6 @@ void check(const PersonMesh& mesh) {
     for (const int v : t.vertices)
       if (v < 0 || v >= vertices || t.texture < 0 || t.texture >= textures)
         throw std::invalid_argument("make_person_model: a triangle's index is out of range");
-}
-
-float yaw_of(const Skeleton::Side& side) {
-  return std::atan2(side[1].x() - side[0].x(), side[0].y() - side[1].y());
-}
-
-// People stand with their shoulders turned against their hips. Turns every height about the spine
-// so that hips and shoulders look ahead, as they do in the joints that the model will follow.
-struct Unwinding {
-  Vec3f hips, neck;
-  float hips_yaw, neck_yaw;
-
-  explicit Unwinding(const Skeleton& s)
-      : hips(0.5F * (s.hip[0] + s.hip[1])),
-        neck(0.5F * (s.shoulder[0] + s.shoulder[1])),
-        hips_yaw(yaw_of(s.hip)),
-        neck_yaw(yaw_of(s.shoulder)) {}
-
-  Eigen::Matrix3f turn_at(float share) const {
-    const float yaw = hips_yaw + share * (neck_yaw - hips_yaw);
-    return Eigen::AngleAxisf(-yaw, Vec3f::UnitZ()).toRotationMatrix();
-  }
-  float share_at(float z) const {
-    return std::clamp((z - hips.z()) / (neck.z() - hips.z()), 0.0F, 1.0F);
-  }
-  void apply(Vec3f& position) const {
-    const float share = share_at(position.z());
-    const Vec3f spine = hips + share * (neck - hips);
-    position = spine + turn_at(share) * (position - spine);
-  }
-  void apply(PersonMesh::Vertex& v) const {
-    v.normal = turn_at(share_at(v.position.z())) * v.normal;
-    apply(v.position);
-  }
-};
-
-void unwind(PersonMesh& mesh, Skeleton& s) {
-  const Unwinding unwinding(s);
-  for (auto& vertex : mesh.vertices) unwinding.apply(vertex);
-  for (auto* side :
-       {&s.shoulder, &s.elbow, &s.wrist, &s.fingertips, &s.hip, &s.knee, &s.ankle, &s.toes})
-    for (Vec3f& joint : *side) unwinding.apply(joint);
 }
 
 // Where a bone is to be, and what takes it there.
@@ -205,10 +156,10 @@ PersonModel make_person_model(PersonMesh mesh, Skeleton skeleton) {
   bring_to_unit_height(mesh);
   unwind(mesh, skeleton);
   const auto capsules = capsules_of(skeleton);
-  const float middle = 0.5F * (skeleton.ankle[0].y() + skeleton.ankle[1].y());
+  const auto legs = leg_of_each_vertex(mesh, skeleton);
   PersonModel model{std::move(mesh), skeleton, {}};
-  for (const auto& vertex : model.mesh.vertices)
-    model.skin.push_back(skin_of(capsules, middle, vertex.position));
+  for (std::size_t i = 0; i < legs.size(); ++i)
+    model.skin.push_back(skin_of(capsules, legs[i], model.mesh.vertices[i].position));
   return model;
 }
 

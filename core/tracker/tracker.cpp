@@ -20,7 +20,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   TrackerOutput out;
   state.vehicles.add(input.vehicle);
   if (input.observation)
-    perceive(state.perception, *input.observation, state.vehicles, params.perception);
+    perceive(state.perception, *input.observation, state.vehicles, params.perception,
+             input.torso_depth_m);
   out.target = coast(state.perception, input.now_s, params.perception);
   if (input.depth)
     update_map(state.mapping, *input.depth, state.vehicles, &out.target, params.mapping);

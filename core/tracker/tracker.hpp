@@ -2,6 +2,8 @@
 // the lock-step flight call. The stages meet here and nowhere else.
 #pragma once
 
+#include <limits>
+
 #include "core/mapping/update_map.hpp"
 #include "core/perception/perceive.hpp"
 #include "core/planning/plan.hpp"
@@ -30,6 +32,7 @@ struct TrackerInput {
   VehicleState vehicle;
   AutopilotStatus autopilot;
   const TargetObservation* observation = nullptr;
+  double torso_depth_m = std::numeric_limits<double>::quiet_NaN();  // with it; NaN: not measured
   const DepthImage* depth = nullptr;
   const GridMap* known_map = nullptr;  // null: the map is built from depth
   const MissionCommand* command = nullptr;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 
+#include "core/perception/perceive.hpp"
 #include "core/perception/perceive_image.hpp"
-#include "core/simulator/color_camera.hpp"
+#include "core/simulator/simulate.hpp"
 
 namespace foretrack {
 
@@ -16,9 +18,16 @@ class CameraEye {
   CameraEye(PoseNetwork network, const PerceptionParams& params, double delay_s)
       : network_(std::move(network)), params_(params), delay_s_(delay_s) {}
 
-  /// Looks at the image, if there is one. Returns what was seen delay_s ago, if somebody was; valid
-  /// until the next call.
-  const TargetObservation* look(const ColorImage* image, double now_s);
+  struct Seen {
+    TargetObservation observation;
+    double torso_depth_m = std::numeric_limits<double>::quiet_NaN();  // NaN: not measured
+  };
+
+  /// Looks at the image, if there is one, near where the track expects the person; `depth`, if
+  /// there is one, is of the same instant. Returns what was seen delay_s ago, if somebody was; null
+  /// otherwise. Valid until the next call.
+  const Seen* look(const SimulatorOutput& output, const PerceptionState& track,
+                   const VehicleHistory& vehicles);
   /// Of the last image.
   const PoseResult& result() const { return result_; }
 
@@ -28,8 +37,8 @@ class CameraEye {
   double delay_s_;
   PoseState state_;
   PoseResult result_;
-  std::deque<TargetObservation> waiting_;
-  TargetObservation delivered_;
+  std::deque<Seen> waiting_;
+  Seen delivered_;
 };
 
 }  // namespace foretrack

@@ -95,15 +95,17 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                 params.perception, scenario.landmark_camera.delay_s);
   FlightRow last;
   const Pilot pilot = [&](PilotStep s) {
-    const TargetObservation* observation =
-        s.simulator.observation ? &*s.simulator.observation : nullptr;
-    if (eye) observation = eye->look(s.simulator.color, s.simulator.now_s);
-    const TrackerInput input{.now_s = s.simulator.now_s,
-                             .vehicle = s.simulator.vehicle,
-                             .autopilot = s.simulator.autopilot,
-                             .observation = observation,
-                             .depth = s.known_map ? nullptr : s.simulator.depth,
-                             .known_map = s.known_map};
+    TrackerInput input{.now_s = s.simulator.now_s,
+                       .vehicle = s.simulator.vehicle,
+                       .autopilot = s.simulator.autopilot,
+                       .observation = s.simulator.observation ? &*s.simulator.observation : nullptr,
+                       .depth = s.known_map ? nullptr : s.simulator.depth,
+                       .known_map = s.known_map};
+    if (const auto* seen =
+            eye ? eye->look(s.simulator, tracker.perception, tracker.vehicles) : nullptr) {
+      input.observation = &seen->observation;
+      input.torso_depth_m = seen->torso_depth_m;
+    }
     const auto begin = Clock::now();
     const TrackerOutput out = step(tracker, input, params);
     if (out.planned)

@@ -25,7 +25,6 @@ PerceptionService::PerceptionService(Service& service, const PerceptionParams& p
       params_(params),
       vehicle_(service, [this] { perceive_waiting(); }),
       observation_(service.node()),
-      seen_(service.node()),
       target_(service.node()),
       markers_(service.node()),
       images_(service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); }) {
@@ -44,13 +43,17 @@ void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& messa
 
 void PerceptionService::take_seen(const ImageInput::Seen& seen) {
   looked_s_ = seen.stamp_s;
+  if (!seen_) {
+    seen_.emplace(service_.node());
+    service_.node().announce();
+  }
   if (seen.observation) {
-    to_idl(*seen.observation, seen_.sample());
+    to_idl(*seen.observation, seen_->sample());
     wait_for_odometry(*seen.observation, seen.torso_depth_m);
   } else {
-    to_idl_nobody(seen.stamp_s, seen_.sample());
+    to_idl_nobody(seen.stamp_s, seen_->sample());
   }
-  seen_.write();
+  seen_->write();
 }
 
 void PerceptionService::wait_for_odometry(const TargetObservation& observation,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 
 #include "core/perception/perceive.hpp"
 #include "foretrack_msgs/msg/TargetObservation.h"
@@ -38,7 +39,7 @@ class PerceptionService {
   PerceptionState state_;
   VehicleInput vehicle_;
   Reader<topics::TargetObservation> observation_;
-  Writer<topics::TargetObservation> seen_;
+  std::optional<Writer<topics::TargetObservation>> seen_;  // of images, once some come
   Writer<topics::TargetState> target_;
   Writer<topics::Markers> markers_;
   std::deque<Waiting> waiting_;  // for the odometry of their stamps

@@ -54,7 +54,6 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
       px4_status_(node_),
       px4_battery_(node_),
       px4_flags_(node_),
-      observation_(node_),
       depth_(node_),
       camera_info_(node_),
       color_(node_),
@@ -64,6 +63,7 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
       transforms_(node_),
       mount_(node_),
       map_(node_) {
+  if (!scenario.color_images) observation_.emplace(node_);
   publish_latched();
   service.loop().every_wall(kStep_s / checked_speed(options.speed), [this] { step(); });
 }
@@ -140,8 +140,8 @@ void SimulatorService::publish_autopilot(const SimulatorOutput& out) {
 
 void SimulatorService::publish_cameras(const SimulatorOutput& out) {
   if (out.observation) {
-    to_idl(*out.observation, observation_.sample());
-    observation_.write();
+    to_idl(*out.observation, observation_->sample());
+    observation_->write();
   }
   if (out.color) {
     to_idl(out.color->camera, out.color->stamp_s, color_info_.sample());

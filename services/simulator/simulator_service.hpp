@@ -1,6 +1,8 @@
 // The simulator on the bus: vehicle, autopilot and cameras out, PX4's inputs in, at a steady pace.
 #pragma once
 
+#include <optional>
+
 #include "core/simulator/simulate.hpp"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
@@ -65,7 +67,7 @@ class SimulatorService {
   Writer<topics::Px4VehicleStatus> px4_status_;
   Writer<topics::Px4BatteryStatus> px4_battery_;
   Writer<topics::Px4FailsafeFlags> px4_flags_;
-  Writer<topics::TargetObservation> observation_;
+  std::optional<Writer<topics::TargetObservation>> observation_;  // not beside images
   Writer<topics::DepthImage> depth_;
   Writer<topics::DepthCameraInfo> camera_info_;
   Writer<topics::ColorImage> color_;

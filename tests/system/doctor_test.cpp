@@ -77,8 +77,7 @@ TEST(Topics, ListsWritersReadersAndRates) {
         if (topics.wait(20.0) != 0) return false;
         for (const auto& topic : Json::parse(topics.output()))
           if (topic["topic"] == "target/observation") observation = topic;
-        // Writers: the camera, and the perception service for what it sees in images.
-        return observation["writers"] == 2 && observation["readers"] == 1 &&
+        return observation["writers"] == 1 && observation["readers"] == 1 &&
                observation["rate_hz"] > 5.0;
       },
       30.0))

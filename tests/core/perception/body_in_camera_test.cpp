@@ -14,6 +14,7 @@ PersonPose seen(const test::PersonState& person, const VehicleState& vehicle, do
   const auto observation = test::observe(person, vehicle, test::LandmarkNoise::none(), random);
   pose.landmarks = observation.landmarks;
   for (Landmark& landmark : pose.landmarks) landmark.body_m *= kNetworkHeight_m / height_m;
+  pose.region.centre_px = {observation.camera.cx_px, observation.camera.cy_px};
   return pose;
 }
 

@@ -205,5 +205,16 @@ TEST(FindLandmarks, WorldPointsTurnWithTheRegion) {
   EXPECT_NEAR((person->landmarks[0].body_m - Vec3(0.0, 1.0, 0.5)).norm(), 0.0, 1e-6);
 }
 
+TEST(ToObservation, TurnsJointsFromTheRaysAxesToTheCameras) {
+  const CameraModel camera;
+  PersonPose person;
+  person.region.centre_px = {camera.cx_px + camera.fx_px, camera.cy_px};  // 45° to the right
+  person.landmarks[0].body_m = {0.0, 0.0, kNetworkHeight_m};              // away from the viewer
+  const PerceptionParams params;
+  const auto observation = to_observation(person, 0.0, camera, params);
+  const Vec3 away = params.landmark_height_m * Vec3(std::sqrt(0.5), 0.0, std::sqrt(0.5));
+  EXPECT_NEAR((observation.landmarks[0].body_m - away).norm(), 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace foretrack
