@@ -163,7 +163,7 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
     if (is_turn(intention) && !motion.walking) continue;  // who stands has no path to bend
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
-    const bool goes_on = intention == Intention::kForward;
+    const bool goes_on = intention == Intention::kForward;  // else smoothing would lag
     start.state = soon(goes_on ? motion.state : motion.measured, motion.acceleration_m_s2, params);
     const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
     if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)

@@ -128,6 +128,21 @@ TEST(Predict, LeavesOutPathsThatAreTooUnlikelyToMatter) {
             1u);
 }
 
+TEST(Predict, ExpectsAStopOnceTheSpeedFallsAndTheChestDoesNotTurn) {
+  PredictionState state;
+  const PredictionParams params;
+  double before = 0.0, braking = 0.0, x_m = 0.0, speed_m_s = 1.5;
+  for (int i = 0; i <= 35; ++i) {
+    speed_m_s -= i > 25 ? 3.0 * 0.04 : 0.0;
+    x_m += 0.04 * speed_m_s;
+    const auto& result = predict(state, walker({x_m - 4.0, 0.0}, {speed_m_s, 0.0}, 0.04 * i),
+                                 narrow_corridor(), params);
+    (i <= 25 ? before : braking) = result.intention[Intention::kDecelerate].probability;
+  }
+  EXPECT_LT(before, 0.05);
+  EXPECT_GT(braking, 0.2);
+}
+
 TEST(Predict, StaysWhereItIsAtZeroSpeed) {
   PredictionState state;
   const PredictionParams params;

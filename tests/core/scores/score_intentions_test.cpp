@@ -41,6 +41,15 @@ TEST(Truth, LabelsAreThoseOfTheNextSecond) {
   EXPECT_EQ(label(turn, 9.5), std::nullopt) << "the future is not known";
 }
 
+TEST(Truth, WhoSlowsDownForACornerTurns) {
+  const Truth corner = walk(10.0, [](double t) -> Vec2 {
+    const double speed = t < 4.0 ? 1.5 : std::max(0.5, 1.5 - 3.0 * (t - 4.0));
+    return speed * direction_of(rad(180.0) * std::clamp(t - 4.6, 0.0, 0.5));
+  });
+  EXPECT_EQ(label_at(corner, corner.steps(3.5)), Intention::kTurnLeft);
+  EXPECT_TRUE(stops_of(corner).empty());
+}
+
 TEST(Truth, FindsEachTurnAndStopOnceWhereItBegins) {
   const auto turns = turns_of(left_turn(10.0, 4.0));
   ASSERT_EQ(turns.size(), 1u);
