@@ -43,7 +43,7 @@ def fly(binaries, seconds, clients, folder):
     station, address = start_station(binaries, folder, domain)
     load = None
     if clients:
-        load = subprocess.Popen(["nice", "-n", "10", "node", LOAD, f"ws://{address}/ws", str(clients),
+        load = subprocess.Popen(["nice", "-n", "5", "node", LOAD, f"ws://{address}/ws", str(clients),
                                  str(seconds + WARM_UP_S - 6)], stdout=subprocess.PIPE, text=True)
     before = cpu_s(station.pid)
     text = flight.stdout.read()
