@@ -154,7 +154,8 @@ FlightSummary Demo::summary() const {
   summary.vehicle = options_.spec.vehicle;
   summary.domain = options_.spec.domain;
   summary.wall_s = wall_s_;
-  summary.camera_delay_ms = 1e3 * options_.scenario.landmark_camera.delay_s;
+  if (!options_.spec.camera)  // images are on the bus without a delay
+    summary.camera_delay_ms = 1e3 * options_.scenario.landmark_camera.delay_s;
   summary.folder = options_.folder.string();
   for (const auto& process : launcher_.processes()) {
     const auto& name = process.spec.name;
