@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""lossy_link.py NAME HERE THERE LOSS DELAY_S BYTES_S: a slow network link that loses packets, for TCP on this machine.
+"""lossy_link.py NAME HERE THERE LOSS DELAY_S BYTES_S: a slow network link that loses packets.
 
-Makes the network device NAME with the address HERE; who connects to THERE reaches what listens on HERE, over a link that
-loses the share LOSS of all packets and takes DELAY_S each way, and carries BYTES_S. Prints "ready" and runs until killed. Needs root.
-(Linux's netem does the same, where the kernel has it.) A packet that the kernel sends to THERE comes back with its
-addresses swapped, as if THERE had sent it; their sum stays, so the checksums do.
+For TCP on this machine: makes the network device NAME with the address HERE; who connects to THERE
+reaches what listens on HERE, over a link that loses the share LOSS of all packets and takes DELAY_S
+each way, and carries BYTES_S. Prints "ready" and runs until killed. Needs root.
+(Linux's netem does the same, where the kernel has it.) A packet that the kernel sends to THERE comes
+back with its addresses swapped, as if THERE had sent it; their sum stays, so the checksums do.
 """
 import fcntl
 import heapq
