@@ -1,7 +1,9 @@
 #include "core/network/read_tflite.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 
 #include "core/network/flatbuffer.hpp"
 #include "core/network/tflite_constants.hpp"
@@ -70,46 +72,49 @@ void read_max_pool(const Options& options, NetworkLayer& layer) {
   layer.activation = options.activation(5);
 }
 
-void read_options(int code, const Options& options, NetworkLayer& layer) {
-  switch (code) {
-    case kOpAdd:
-      layer.kind = LayerKind::kAdd;
+LayerKind kind_of(int code) {
+  constexpr std::array<std::pair<int, LayerKind>, 10> kKinds = {
+      {{kOpAdd, LayerKind::kAdd},
+       {kOpConcatenation, LayerKind::kConcatenate},
+       {kOpConv2d, LayerKind::kConvolve},
+       {kOpDepthwiseConv2d, LayerKind::kConvolveDepthwise},
+       {kOpDepthToSpace, LayerKind::kDepthToSpace},
+       {kOpLogistic, LayerKind::kSigmoid},
+       {kOpMaxPool2d, LayerKind::kMaxPool},
+       {kOpReshape, LayerKind::kReshape},
+       {kOpResizeBilinear, LayerKind::kResizeBilinear},
+       {kOpPad, LayerKind::kPad}}};
+  for (const auto& [known, kind] : kKinds)
+    if (known == code) return kind;
+  throw NetworkFileError("operator " + std::to_string(code) + " is not supported");
+}
+
+void read_options(const Options& options, NetworkLayer& layer) {
+  switch (layer.kind) {
+    case LayerKind::kAdd:
       layer.activation = options.activation(0);
       return;
-    case kOpConcatenation:
-      layer.kind = LayerKind::kConcatenate;
+    case LayerKind::kConcatenate:
       if (options.get<std::int32_t>(0) != 1 || options.activation(1) != Activation::kNone)
         throw NetworkFileError("a concatenation that is not along axis 1");
       return;
-    case kOpConv2d:
-      layer.kind = LayerKind::kConvolve;
+    case LayerKind::kConvolve:
+    case LayerKind::kConvolveDepthwise:
       return read_convolution(options, layer);
-    case kOpDepthwiseConv2d:
-      layer.kind = LayerKind::kConvolveDepthwise;
-      return read_convolution(options, layer);
-    case kOpDepthToSpace:
-      layer.kind = LayerKind::kDepthToSpace;
+    case LayerKind::kDepthToSpace:
       layer.block = options.step(0);
       return;
-    case kOpLogistic:
-      layer.kind = LayerKind::kSigmoid;
-      return;
-    case kOpMaxPool2d:
-      layer.kind = LayerKind::kMaxPool;
+    case LayerKind::kMaxPool:
       return read_max_pool(options, layer);
-    case kOpReshape:
-      layer.kind = LayerKind::kReshape;
-      return;
-    case kOpResizeBilinear:
-      layer.kind = LayerKind::kResizeBilinear;
+    case LayerKind::kResizeBilinear:
       if (options.get<std::uint8_t>(2) || !options.get<std::uint8_t>(3))
         throw NetworkFileError("a resize without half-pixel centres");
       return;
-    case kOpPad:
-      layer.kind = LayerKind::kPad;
+    case LayerKind::kSigmoid:
+    case LayerKind::kReshape:
+    case LayerKind::kPad:
       return;
   }
-  throw NetworkFileError("operator " + std::to_string(code) + " is not supported");
 }
 
 std::vector<int> operator_codes(const FlatTable& file) {
@@ -152,11 +157,12 @@ void pass_constant(const FlatTable& op, NetworkModel& model) {
 
 NetworkLayer read_layer(const FlatTable& op, int code) {
   NetworkLayer layer;
+  layer.kind = kind_of(code);
   if (op.has(4)) {
     const FlatTable options = op.table(4);
-    read_options(code, {&options}, layer);
+    read_options({&options}, layer);
   } else {
-    read_options(code, {nullptr}, layer);
+    read_options({nullptr}, layer);
   }
   const auto inputs = op.values<std::int32_t>(1), outputs = op.values<std::int32_t>(2);
   layer.inputs.assign(inputs.begin(), inputs.end());
