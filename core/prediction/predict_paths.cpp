@@ -164,7 +164,10 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
     const bool goes_on = intention == Intention::kForward;  // else smoothing would lag
-    start.state = soon(goes_on ? motion.state : motion.measured, motion.acceleration_m_s2, params);
+    // In a steady walk acceleration is noise.
+    const double trusted = goes_on ? std::clamp((motion.manoeuvre - 0.3) / 0.3, 0.0, 1.0) : 1.0;
+    start.state =
+        soon(goes_on ? motion.state : motion.measured, trusted * motion.acceleration_m_s2, params);
     const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
     if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;

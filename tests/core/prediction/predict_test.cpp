@@ -51,20 +51,23 @@ TEST(Predict, TurnsAroundTheCornerBeforeTheTargetHasTurned) {
 // Before a stop or a sharp turn: the paths begin slower than the target still is.
 TEST(Predict, ExpectsWhoBrakesToBeSoonSlower) {
   const GridMap map = open_field();
-  const auto reach_m = [&](double braking_m_s2) {
+  const auto reach_m = [&](double braking_m_s2, double goes_on_s) {
     PredictionState fresh;
+    PredictionParams params;
+    params.acceleration_goes_on_s = goes_on_s;
     const PredictionResult* result = nullptr;
-    for (int i = 0; i <= 10; ++i) {
-      const double t = 0.04 * i;
-      const double speed = 2.0 - braking_m_s2 * std::max(0.0, t - 0.2);
-      result = &predict(fresh, walker({speed * t, 0.0}, {speed, 0.0}, t), map, {});
+    double x_m = 0.0, speed = 2.0;
+    for (int i = 0; i <= 14; ++i) {
+      speed -= i > 5 ? 0.04 * braking_m_s2 : 0.0;
+      x_m += 0.04 * speed;
+      result = &predict(fresh, walker({x_m, 0.0}, {speed, 0.0}, 0.04 * i), map, params);
     }
     const auto& states = path_of(result->prediction, Intention::kForward)->states;
-    return states[9].position_enu_m.x() - 0.4 * (2.0 - braking_m_s2 * 0.2);
+    return states[9].position_enu_m.x() - x_m;
   };
-  EXPECT_NEAR(reach_m(0.0), 4.0, 0.1);
-  EXPECT_NEAR(reach_m(0.5), 3.8, 0.1);  // as noise of the speed would look
-  EXPECT_LT(reach_m(3.0), 2.6);         // 2 s at 1.4 m/s would be 2.8 m
+  EXPECT_NEAR(reach_m(0.0, 0.2), 4.0, 0.1);
+  EXPECT_NEAR(reach_m(0.5, 0.2), reach_m(0.5, 0.0), 0.01);  // as noise of the speed would look
+  EXPECT_LT(reach_m(3.0, 0.2), reach_m(3.0, 0.0) - 0.3);
 }
 
 TEST(Predict, PutsTheTurnFirstWhenTheChestHasTurnedAtTheCorner) {
