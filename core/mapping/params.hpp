@@ -25,7 +25,8 @@ struct MappingParams {
   double target_above_m = 1.0;
   double target_below_m = 1.4;
   double vehicle_bubble_m = 0.6;
-  double start_bubble_m = 1.2;
+  double start_bubble_m = 0.8;
+  double start_reach_m = 1.2;
 };
 
 ParamRows rows(MappingParams& p);

@@ -39,6 +39,8 @@ TargetBody body_at(const TargetState* target, double stamp_s, const MappingParam
 }
 
 // One image's rays, from the camera's place into the box.
+constexpr double kStartCosine = 0.26;  // 75° about the camera's axis
+
 struct Scan {
   MappingState& state;
   const DepthImage& image;
@@ -156,21 +158,33 @@ int apply_marks(MappingState& state, const MappingParams& params) {
   return changed;
 }
 
-// The vehicle is there, so it is free, though the camera never sees it.
-int free_bubble(MappingState& state, const Vec3& centre_enu_m, double radius_m,
-                const MappingParams& params) {
-  const Vec3 reach = Vec3::Constant(radius_m);
-  const Vec3i low = state.map.index_of(centre_enu_m - reach).cwiseMax(0);
+// Makes what is unknown in a ball free, or in the part of it within an angle of an axis.
+struct Room {
+  Vec3 centre_enu_m;
+  double radius_m;
+  Vec3 axis = Vec3::Zero();
+  double cos_angle = 0.0;
+
+  bool contains(const Vec3& place_enu_m) const {
+    const Vec3 offset = place_enu_m - centre_enu_m;
+    const double distance_m = offset.norm();
+    return distance_m <= radius_m && axis.dot(offset) >= cos_angle * distance_m;
+  }
+};
+
+int set_free(MappingState& state, const Room& room, const MappingParams& params) {
+  const Vec3 reach = Vec3::Constant(room.radius_m);
+  const Vec3i low = state.map.index_of(room.centre_enu_m - reach).cwiseMax(0);
   const Vec3i high =
-      state.map.index_of(centre_enu_m + reach).cwiseMin(state.map.size - Vec3i::Ones());
+      state.map.index_of(room.centre_enu_m + reach).cwiseMin(state.map.size - Vec3i::Ones());
   const std::int8_t free = log_odds_steps(params.min_log_odds);
   int changed = 0;
   for (int z = low.z(); z <= high.z(); ++z)
     for (int y = low.y(); y <= high.y(); ++y)
       for (int x = low.x(); x <= high.x(); ++x) {
         const std::size_t offset = state.map.offset_of({x, y, z});
-        const bool near = (state.map.center_of({x, y, z}) - centre_enu_m).norm() <= reach.x();
-        if (near && state.log_odds[offset] == kUnknownLogOdds)
+        if (state.log_odds[offset] == kUnknownLogOdds &&
+            room.contains(state.map.center_of({x, y, z})))
           changed += set_log_odds(state, offset, free);
       }
   return changed;
@@ -210,9 +224,8 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
     update.status = MapStatus::kNoVehiclePose;
     return update;
   }
-  // Where it starts, somebody has placed it: there is room around it.
-  const double bubble_m = state.placed ? params.vehicle_bubble_m : params.start_bubble_m;
-  if (!state.placed)
+  const bool starts = !state.placed;
+  if (starts)
     state.map.cells.assign(state.map.cell_count(), static_cast<std::uint8_t>(Cell::kUnknown));
   update.scrolled = follow_vehicle(state, at_image->position_enu_m, params);
 
@@ -223,7 +236,16 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
   update.rays = scan.mark_rays();
   update.touched_cells = static_cast<int>(state.touched.size());
   update.changed_cells = apply_marks(state, params);
-  update.changed_cells += free_bubble(state, at_image->position_enu_m, bubble_m, params);
+  // The vehicle is there, so it is free, though the camera never sees it.
+  const Vec3& place = at_image->position_enu_m;
+  const double bubble_m = starts ? params.start_bubble_m : params.vehicle_bubble_m;
+  update.changed_cells += set_free(state, {place, bubble_m}, params);
+  // Where it starts, its way to where the field of view is wide enough for it is not seen either.
+  if (starts) {
+    const Vec3 axis = scan.T_world_camera.linear().col(2);
+    update.changed_cells +=
+        set_free(state, {place, params.start_reach_m, axis, kStartCosine}, params);
+  }
   if (update.changed_cells > 0 || update.scrolled) update_distances(state.map, state.distances);
   state.map.stamp_s = image.stamp_s;
   return update;

@@ -176,9 +176,18 @@ TEST(UpdateMap, VehicleIsInAFreeBubbleUnlessSomethingIsThere) {
   m.look({Box{{0.3, -1.0, 0.0}, {0.32, 1.0, 3.0}}});
   EXPECT_EQ(m.at(0.0, 0.0, 1.4), Cell::kFree);
   EXPECT_EQ(m.at(-0.45, 0.0, 1.4), Cell::kFree);
-  EXPECT_EQ(m.at(-1.05, 0.0, 1.4), Cell::kFree);  // it starts here
-  EXPECT_EQ(m.at(-1.4, 0.0, 1.4), Cell::kUnknown);
+  EXPECT_EQ(m.at(-0.75, 0.0, 1.4), Cell::kFree);  // it starts here
+  EXPECT_EQ(m.at(-1.05, 0.0, 1.4), Cell::kUnknown);
   EXPECT_EQ(m.at(0.31, 0.0, 1.4), Cell::kOccupied);
+}
+
+// Nobody promised that there is room beside it.
+TEST(UpdateMap, WhereItStartsThereIsRoomBeforeTheCameraOnly) {
+  Mapper m;
+  m.look({});
+  EXPECT_EQ(m.at(0.75, 0.75, 1.4), Cell::kFree);
+  EXPECT_EQ(m.at(0.0, 1.05, 1.4), Cell::kUnknown);
+  EXPECT_EQ(m.at(-0.75, 0.75, 1.4), Cell::kUnknown);
 }
 
 int cells_that_differ_from_the_octree(const MappingState& state) {
