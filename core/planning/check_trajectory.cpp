@@ -140,7 +140,9 @@ void Checker::check_clearance() {
     escaping = escaping && clearance_m < params.vehicle_radius_m;
     may_be_occupied = may_be_occupied && map.is_occupied(p);
     const bool enters_occupied = map.is_occupied(p) && !may_be_occupied;
-    const bool escapes = escaping && clearance_m >= start_clearance_m - half_cell_m &&
+    const bool enters_unfree = clearance_m <= 0.0 && start_clearance_m > 0.0;
+    const bool escapes = escaping && !enters_unfree &&
+                         clearance_m >= start_clearance_m - half_cell_m &&
                          (p - start).norm() <= params.escape_reach_m;
     if (enters_occupied || (clearance_m < params.vehicle_radius_m && !escapes))
       fault(t >= trajectory.tail_start_s ? PlanReason::kTailUnsafe : PlanReason::kClearanceViolated,
