@@ -59,8 +59,8 @@ void print_totals(const Totals& t) {
   std::printf("turns %d/%d = %.1f %% (95 %%: %.1f to %.1f), collisions %d in %.0f s\n", t.successes,
               t.turns, t.turns ? 100.0 * t.successes / t.turns : 0.0, 100.0 * interval.low,
               100.0 * interval.high, t.collisions, t.time_s);
-  std::printf("foreseen %d/%d, mean of median leads %.2f s, jerk² %.2f m²/s⁵\n", t.foreseen, t.turns,
-              t.turns ? t.lead_s / t.turns : 0.0, t.smoothness / t.time_s);
+  std::printf("foreseen %d/%d, mean of median leads %.2f s, jerk² %.2f m²/s⁵\n", t.foreseen,
+              t.turns, t.turns ? t.lead_s / t.turns : 0.0, t.smoothness / t.time_s);
 }
 
 int run(Options o) {

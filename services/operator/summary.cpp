@@ -34,9 +34,10 @@ std::string tracking(const Metrics& m) {
               std::isfinite(m.min_clearance_m)
                   ? fmt::format("smallest clearance {:.2f} m", m.min_clearance_m)
                   : "nothing to collide with");
-  text += row("intention", fmt::format("{} of {}", m.foreseen, m.turns),
-              fmt::format("turns foreseen, {:.2f} s {} at the median", std::abs(m.lead_time_median_s),
-                          m.lead_time_median_s < 0.0 ? "late" : "ahead"));
+  text +=
+      row("intention", fmt::format("{} of {}", m.foreseen, m.turns),
+          fmt::format("turns foreseen, {:.2f} s {} at the median", std::abs(m.lead_time_median_s),
+                      m.lead_time_median_s < 0.0 ? "late" : "ahead"));
   return text;
 }
 
