@@ -5,7 +5,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kLongestGap_s = 1.0;
+constexpr double kForgottenAfter_s = 1.0;
 
 void start(SteadyWalk& walk, const PlanarState& measured, double stamp_s) {
   walk = {.started = true, .stamp_s = stamp_s, .manoeuvre = 1.0, .line = measured};
@@ -32,7 +32,8 @@ PlanarState SteadyWalk::state(const PlanarState& measured) const {
 void follow(SteadyWalk& walk, const PlanarState& measured, double stamp_s, double body_swing_rad,
             const PredictionParams& params) {
   const double dt_s = stamp_s - walk.stamp_s;
-  if (!walk.started || dt_s < 0.0 || dt_s > kLongestGap_s) return start(walk, measured, stamp_s);
+  if (!walk.started || dt_s < 0.0 || dt_s > kForgottenAfter_s)
+    return start(walk, measured, stamp_s);
   if (dt_s < 1e-6) return;
   walk.stamp_s = stamp_s;
   walk.memory_s += dt_s;

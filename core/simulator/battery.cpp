@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/geometry.hpp"
+
 namespace foretrack {
 namespace {
-
-constexpr double kGravity_m_s2 = 9.81;
 
 BatteryWarning warning_at(double remaining, const BatteryParams& p) {
   if (remaining < p.emergency) return BatteryWarning::kEmergency;

@@ -9,7 +9,7 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-float yaw_of(const Skeleton::Side& side) {
+float facing_rad(const Skeleton::Side& side) {
   return std::atan2(side[1].x() - side[0].x(), side[0].y() - side[1].y());
 }
 
@@ -20,8 +20,8 @@ struct Unwinding {
   explicit Unwinding(const Skeleton& s)
       : hips(0.5F * (s.hip[0] + s.hip[1])),
         neck(0.5F * (s.shoulder[0] + s.shoulder[1])),
-        hips_yaw(yaw_of(s.hip)),
-        neck_yaw(yaw_of(s.shoulder)) {}
+        hips_yaw(facing_rad(s.hip)),
+        neck_yaw(facing_rad(s.shoulder)) {}
 
   float share_at(float z) const {
     return std::clamp((z - hips.z()) / (neck.z() - hips.z()), 0.0F, 1.0F);
