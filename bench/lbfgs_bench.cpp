@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "bench/cpu_time.hpp"
 #include "core/planning/trajectory_cost.hpp"
+#include "services/share/cpu_time.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bench/cpu_time.hpp"
 #include "core/mapping/update_map.hpp"
+#include "services/share/cpu_time.hpp"
 #include "tests/core/mapping/box_world.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-#include "bench/cpu_time.hpp"
 #include "core/prediction/predict.hpp"
+#include "services/share/cpu_time.hpp"
 #include "tests/core/planning/plan_loop.hpp"
 
 using namespace foretrack;

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/cpu_time.hpp"
 #include "core/perception/detect_people.hpp"
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sample_image.hpp"
 #include "services/models/pose_models.hpp"
 #include "services/perceive/frame_source.hpp"
+#include "services/share/cpu_time.hpp"
 #include "services/share/share.hpp"
 
 namespace {

@@ -4,12 +4,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "bench/cpu_time.hpp"
 #include "bench/run_bench.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/simulate.hpp"
 #include "services/config/load_scenario.hpp"
 #include "services/people/load_person.hpp"
+#include "services/share/cpu_time.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Cost of the simulator, in CPU time: steps, depth images, sight, the known map, a route.
 #include <cstdio>
 
-#include "bench/cpu_time.hpp"
 #include "core/simulator/route.hpp"
 #include "core/simulator/simulate.hpp"
+#include "services/share/cpu_time.hpp"
 
 namespace {
 

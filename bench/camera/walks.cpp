@@ -1,11 +1,11 @@
 #include "bench/camera/walks.hpp"
 
-#include "bench/cpu_time.hpp"
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "services/people/load_person.hpp"
+#include "services/share/cpu_time.hpp"
 
 namespace foretrack {
 namespace {

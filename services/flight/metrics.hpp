@@ -89,7 +89,7 @@ struct Metrics {
   double false_alarms_per_min = 0.0;
   // Most probable path, 0.5, 1, 2 and 3 s ahead: mean error.
   std::array<double, kForesight_s.size()> foresight_error_m{};
-  Quantiles plan_ms;  // wall time of a step that replans; not part of the log
+  Quantiles plan_ms;  // processor time of a step that replans; not part of the log
   std::vector<EventRecord> turn_records;
   std::vector<EventRecord> deceleration_records;
 };
