@@ -39,8 +39,6 @@ TargetBody body_at(const TargetState* target, double stamp_s, const MappingParam
 }
 
 // One image's rays, from the camera's place into the box.
-constexpr double kStartCosine = 0.26;  // 75° about the camera's axis
-
 struct Scan {
   MappingState& state;
   const DepthImage& image;
@@ -158,7 +156,9 @@ int apply_marks(MappingState& state, const MappingParams& params) {
   return changed;
 }
 
-// Makes what is unknown in a ball free, or in the part of it within an angle of an axis.
+constexpr double kStartCosine = 0.26;  // 75° about the camera's axis
+
+// A ball, or the part of it within an angle of an axis.
 struct Room {
   Vec3 centre_enu_m;
   double radius_m;
@@ -172,6 +172,7 @@ struct Room {
   }
 };
 
+// Makes what is unknown in the room free.
 int set_free(MappingState& state, const Room& room, const MappingParams& params) {
   const Vec3 reach = Vec3::Constant(room.radius_m);
   const Vec3i low = state.map.index_of(room.centre_enu_m - reach).cwiseMax(0);

@@ -133,11 +133,10 @@ class Replan {
     const bool counts = in_.intention != nullptr && params_.horizon.intention_margins;
     return counts ? (*in_.intention)[Intention::kDecelerate].score : 0.0;
   }
-  // The ring d* is the middle of the band, which a likely deceleration narrows from below: d̂_l.
+  // The ring d* is the middle of the band.
   SearchContext search_context(const FlightSurface& surface) const {
     const PlaceParams& place = params_.place;
-    const double low_m = std::min(place.kept_low_m() + place.distance_extra_m * score_decelerate(),
-                                  place.kept_high_m());
+    const double low_m = place.kept_low_m(score_decelerate());
     const double half_band_m = 0.5 * (place.kept_high_m() - low_m);
     return {*in_.map, surface, params_, low_m + half_band_m,
             std::max(std::min(place.ring_tolerance_m, half_band_m), 0.5 * in_.map->resolution_m)};

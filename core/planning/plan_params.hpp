@@ -49,6 +49,10 @@ struct PlaceParams {
 
   double kept_low_m() const { return distance_low_m + reserve_low_m; }
   double kept_high_m() const { return std::max(distance_high_m - reserve_high_m, kept_low_m()); }
+  /// d̂_l: a likely deceleration narrows the band from below.
+  double kept_low_m(double score_decelerate) const {
+    return std::min(kept_low_m() + distance_extra_m * score_decelerate, kept_high_m());
+  }
 };
 
 /// Field of view and what the camera's axes may do.

@@ -81,9 +81,7 @@ class Sampling {
       s.next_half_angle_rad = next.visible.half_angle_rad;
     }
     s.distance_high_m = params_.place.kept_high_m();
-    s.distance_low_m =
-        std::min(params_.place.kept_low_m() + params_.place.distance_extra_m * score_decelerate,
-                 params_.place.kept_high_m());
+    s.distance_low_m = params_.place.kept_low_m(score_decelerate);
     return s;
   }
 
