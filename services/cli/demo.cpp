@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "services/cli/commands.hpp"
+#include "services/cli/scenario_options.hpp"
 #include "services/common/options.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
@@ -116,8 +117,7 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_option("--for", overrides.duration_s, "Seconds; default: the scenario's")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", overrides.seed, "Of everything random in the scenario");
-  app.add_option("--set", overrides.settings,
-                 "KEY=VALUE of the scenario instead of the file's, as target.speed_m_s=2.0");
+  add_settings(app, overrides);
   app.add_option("--track", overrides.track_file, "Walk as a pedestrian of this recording")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", overrides.pedestrian, "Which pedestrian of the recording");

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "services/cli/commands.hpp"
+#include "services/cli/scenario_options.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
 #include "services/flight/write_flight.hpp"
@@ -84,8 +85,7 @@ std::function<int()> prepare_fly(CLI::App& app) {
   app.add_option("--map", o->map, "where the map comes from")
       ->check(CLI::IsMember({"known", "depth"}));
   app.add_option("--params", o->params, "parameter file, or the name of a shipped one");
-  app.add_option("--set", o->overrides.settings,
-                 "KEY=VALUE of the scenario instead of the file's, as target.speed_m_s=2.0");
+  add_settings(app, o->overrides);
   app.add_option("--track", o->overrides.track_file, "walk as a recorded pedestrian of this file")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", o->overrides.pedestrian, "which one of the track file");

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "services/cli/commands.hpp"
+#include "services/cli/scenario_options.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
 #include "services/onboard/onboard.hpp"
@@ -79,8 +80,7 @@ std::function<int()> prepare_simulator(CLI::App& app) {
   app.add_option("--scenario", o->scenario, "shipped name or file")->capture_default_str();
   app.add_option("--map", o->map, "known or depth")->check(CLI::IsMember({"known", "depth"}));
   app.add_option("--seed", o->overrides.seed, "of everything random");
-  app.add_option("--set", o->overrides.settings,
-                 "KEY=VALUE of the scenario instead of the file's, as target.speed_m_s=2.0");
+  add_settings(app, o->overrides);
   app.add_option("--for", o->overrides.duration_s, "seconds to simulate");
   app.add_option("--track", o->overrides.track_file, "walk as this recorded pedestrian");
   app.add_option("--pedestrian", o->overrides.pedestrian, "number of the pedestrian in the track");
