@@ -11,12 +11,14 @@ export class Observer {
   private readonly client: FoxgloveClient;
   private readonly heard = new Map<string, Heard[]>();
   private readonly decoders = new Map<number, { topic: string; decode: Decoder }>();
+  private ended = "";
 
   constructor(url: string) {
     const socket = new WebSocket(`${url.replace(/^http/, "ws").replace(/[#?].*$/, "")}ws`,
       ["foxglove.websocket.v1"]);
     this.client = new FoxgloveClient({ ws: socket as unknown as IWebSocket });
-    this.client.on("error", () => {});
+    this.client.on("error", (error) => (this.ended ||= String(error)));
+    socket.on("close", (code, why) => (this.ended ||= `closed: ${code} ${why.toString()}`));
     this.client.on("advertise", (channels) => channels.forEach((c) => {
       if (/image|octomap|map\/local/.test(c.topic)) return;
       const channel = { ...c, schemaEncoding: c.schemaEncoding ?? "" } as Channel;
@@ -38,6 +40,7 @@ export class Observer {
 
   /** Of the last so many seconds, newest last. */
   last<T>(topic: string, seconds = 5): T[] {
+    if (this.ended) throw new Error(`the observer hears nothing more: ${this.ended}`);
     const from_ms = performance.now() - 1000 * seconds;
     return (this.heard.get(topic) ?? []).filter((h) => h.at_ms >= from_ms)
       .map((h) => h.message as T);
