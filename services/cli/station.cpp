@@ -121,7 +121,7 @@ int run_record(const RecordArguments& arguments) {
   const StationOptions options = complete(arguments.shared);
   station::recover_recordings(options.recorder.folder);
   station::Recorder recorder(options.recorder);
-  Node node(options.node);
+  const auto node = std::make_shared<Node>(options.node);
   std::unique_ptr<station::Bus> bus;
   bus = std::make_unique<station::Bus>(
       node, station::Outlet{[&](const station::Channel& channel) {
@@ -135,10 +135,10 @@ int run_record(const RecordArguments& arguments) {
              (options.recorder.folder / recorder.status()->file).string());
   std::fflush(stdout);
   std::thread timer([&] {
-    const double begin_s = node.clock().steady_s();
+    const double begin_s = node->clock().steady_s();
     while (!stop.requested() && recorder.status()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      if (arguments.for_s > 0.0 && node.clock().steady_s() - begin_s >= arguments.for_s) break;
+      if (arguments.for_s > 0.0 && node->clock().steady_s() - begin_s >= arguments.for_s) break;
     }
     stop.request();
   });

@@ -41,8 +41,11 @@ class DiscoveryWatch : public dds::DomainParticipantListener {
   void expect(const std::string& topic, const TypeOps& ops);
   std::vector<ForeignEndpoint> foreign() const;
   std::vector<ForeignEndpoint> all() const;
+  std::vector<Peer> peers() const;
   std::atomic<std::uint64_t> changes = 0;
 
+  void on_participant_discovery(dds::DomainParticipant*,
+                                eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
   void on_publisher_discovery(dds::DomainParticipant*,
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
   void on_subscriber_discovery(dds::DomainParticipant*,
@@ -61,6 +64,7 @@ class DiscoveryWatch : public dds::DomainParticipantListener {
   mutable std::mutex mutex_;
   std::map<std::string, Expected> expected_;
   std::map<Guid, ForeignEndpoint> seen_;  // bounded
+  std::map<PeerId, Peer> peers_;          // bounded
 };
 
 struct Node::Dds {
@@ -101,6 +105,9 @@ struct ReaderCore::Dds : dds::DataReaderListener {
   EndpointStats& stats;
   dds::DataReader* reader = nullptr;
 };
+
+PeerId peer_of(const eprosima::fastrtps::rtps::GUID_t& guid);
+double seconds_of(const eprosima::fastrtps::Duration_t& duration);
 
 /// "RELIABILITY", for a message to an operator.
 std::string policy_name(dds::QosPolicyId_t id);

@@ -1,5 +1,8 @@
 // What discovery tells, and what we tell ROS 2's tools.
+#include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "rmw_dds_common/msg/ParticipantEntitiesInfo.h"
@@ -64,6 +67,18 @@ void write_info(Node& node) {
 
 }  // namespace
 
+PeerId peer_of(const GUID_t& guid) {
+  PeerId id;
+  std::copy_n(guid.guidPrefix.value, id.size(), id.begin());
+  return id;
+}
+
+double seconds_of(const eprosima::fastrtps::Duration_t& duration) {
+  return duration == eprosima::fastrtps::c_TimeInfinite
+             ? std::numeric_limits<double>::infinity()
+             : duration.seconds + 1e-9 * duration.nanosec;
+}
+
 void DiscoveryWatch::judge(ForeignEndpoint& seen) {
   const auto it = expected_.find(seen.topic);
   if (it == expected_.end() || !seen.why.empty()) return;
@@ -105,6 +120,28 @@ std::vector<ForeignEndpoint> DiscoveryWatch::all() const {
   std::vector<ForeignEndpoint> result;
   for (const auto& [guid, seen] : seen_) result.push_back(seen);
   return result;
+}
+
+std::vector<Peer> DiscoveryWatch::peers() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Peer> result;
+  for (const auto& [id, peer] : peers_) result.push_back(peer);
+  return result;
+}
+
+void DiscoveryWatch::on_participant_discovery(
+    dds::DomainParticipant*, eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) {
+  using Info = eprosima::fastrtps::rtps::ParticipantDiscoveryInfo;
+  const auto id = peer_of(info.info.m_guid);
+  const std::lock_guard lock(mutex_);
+  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
+    peers_.erase(id);
+  } else if (info.status == Info::DISCOVERED_PARTICIPANT && peers_.size() < kMaxSeen) {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    peers_[id] = {id, info.info.m_participantName.to_string(),
+                  seconds_of(info.info.m_leaseDuration),
+                  std::chrono::duration<double>(now).count()};
+  }
 }
 
 void DiscoveryWatch::on_publisher_discovery(dds::DomainParticipant*,

@@ -127,6 +127,15 @@ std::uint64_t Node::discoveries() const {
   return dds_->watch.changes;
 }
 
+std::vector<Peer> Node::peers() const {
+  return dds_->watch.peers();
+}
+
+double Node::lease_s() const {
+  const auto& config = dds_->participant->get_qos().wire_protocol().builtin.discovery_config;
+  return seconds_of(config.leaseDuration);
+}
+
 std::vector<ForeignEndpoint> Node::foreign_endpoints() const {
   return dds_->watch.foreign();
 }

@@ -10,6 +10,7 @@
 #include "services/common/clock.hpp"
 #include "services/common/endpoint.hpp"
 #include "services/common/names.hpp"
+#include "services/common/peer.hpp"
 
 namespace foretrack {
 
@@ -64,6 +65,10 @@ class Node {
   std::vector<ForeignEndpoint> endpoints() const;
   /// Grows whenever endpoints() changes.
   std::uint64_t discoveries() const;
+  /// The other participants that discovery holds for alive.
+  std::vector<Peer> peers() const;
+  /// After so long without a word of ours, others drop us.
+  double lease_s() const;
 
   struct Dds;
   Dds& dds() { return *dds_; }

@@ -73,11 +73,13 @@ RawReader::~RawReader() {
   dds_->subscriber->delete_datareader(dds_->reader);
 }
 
-bool RawReader::take(CdrBytes& sample) {
+bool RawReader::take(CdrBytes& sample, PeerId* from) {
   while (true) {
     dds::SampleInfo info;
     if (dds_->reader->take_next_sample(&sample, &info) != ReturnCode_t::RETCODE_OK) return false;
-    if (info.valid_data) return true;
+    if (!info.valid_data) continue;
+    if (from) *from = peer_of(info.sample_identity.writer_guid());
+    return true;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "services/common/peer.hpp"
 #include "services/common/type_ops.hpp"
 
 namespace foretrack {
@@ -30,8 +31,8 @@ class RawReader {
   /// `profile` is of qos/profiles.xml. Throws std::runtime_error if DDS refuses.
   RawReader(Node& node, const RawTopic& topic, const char* profile);
   ~RawReader();
-  /// False: nothing is left.
-  bool take(CdrBytes& sample);
+  /// False: nothing is left. `from`, if it is asked for: whose sample it is.
+  bool take(CdrBytes& sample, PeerId* from = nullptr);
   Dds& dds() { return *dds_; }
 
  private:

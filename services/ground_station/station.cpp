@@ -58,8 +58,7 @@ class Station {
   Hub hub_;
   Server server_;
   Recorder recorder_;
-  std::unique_ptr<Node> node_;  // none: a recording is replayed
-  Bus* bus_ = nullptr;
+  Bus* bus_ = nullptr;  // none: a recording is replayed
   std::unique_ptr<Source> source_;
   std::unique_ptr<Commander> commander_;
   std::unique_ptr<Api> api_;
@@ -78,13 +77,16 @@ Station::Station(const StationOptions& options, Stop& stop)
   if (options_.replay) {
     source_ = std::make_unique<Replay>(*options_.replay, outlet());
   } else {
-    node_ = std::make_unique<Node>(options_.node);
-    auto bus = std::make_unique<Bus>(*node_, outlet());
+    const auto node = std::make_shared<Node>(options_.node);
+    auto bus = std::make_unique<Bus>(node, outlet());
     bus_ = bus.get();
     source_ = std::move(bus);
     commander_ =
-        std::make_unique<Commander>(*node_, options_.enable_control,
+        std::make_unique<Commander>(node, options_.enable_control,
                                     [this](const std::string& topic) { bus_->expect_own(topic); });
+    bus_->on_rejoin = [this](std::shared_ptr<Node> fresh) {
+      server_.post([this, fresh = std::move(fresh)] { commander_->move_to(fresh); });
+    };
   }
   const ApiOptions api{options_.enable_control, !is_loopback(options_.server.address),
                        options_.recorder.folder};

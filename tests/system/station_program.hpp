@@ -21,11 +21,21 @@ inline Json probe(const std::string& script, std::vector<std::string> arguments)
   return Json::parse(node.output(), nullptr, false);
 }
 
+/// Arguments for /usr/bin/env: the program with its shipped files from this folder first.
+inline std::vector<std::string> with_share(const std::filesystem::path& share,
+                                           std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"FORETRACK_SHARE=" + share.string(), FORETRACK_PROGRAM});
+  return arguments;
+}
+
 /// A station of its own tokens, log and recordings, on a free port.
 class Station {
  public:
-  Station(std::vector<std::string> arguments, const std::filesystem::path& folder, int port = 0)
-      : folder_(folder), program_(with_files(std::move(arguments), port), folder / "station.out") {
+  Station(std::vector<std::string> arguments, const std::filesystem::path& folder, int port = 0,
+          const std::filesystem::path& share = {})
+      : folder_(folder),
+        program_(with_share(share, with_files(std::move(arguments), port)), folder / "station.out",
+                 "/usr/bin/env") {
     EXPECT_TRUE(
         eventually([&] { return program_.output().find("station: ") != std::string::npos; }, 20.0))
         << program_.output();

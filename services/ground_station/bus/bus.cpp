@@ -1,7 +1,10 @@
 #include "services/ground_station/bus/bus.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include "services/ground_station/bus/contract.hpp"
@@ -14,6 +17,7 @@ constexpr double kLookPeriod_s = 0.2;
 constexpr double kLinger_s = 10.0;    // a channel whose writer left
 constexpr double kRestAfter_s = 3.0;  // long enough to measure a rate
 constexpr double kRestBytes_s = 1e6;
+constexpr double kRejoinPeriod_s = 30.0;
 constexpr std::size_t kMaxTopics = 2048;  // hostile discovery must not fill the memory
 // Samples of many topics come together: one round for all of them costs less than one for each.
 constexpr auto kRound = std::chrono::milliseconds(5);
@@ -37,6 +41,13 @@ Channel channel_of(const std::string& wire, const SurveyedTopic& found, std::uin
   return c;
 }
 
+// Goes on while the machine is in standby, unlike the steady clock.
+double boot_s() {
+  timespec t{};
+  clock_gettime(CLOCK_BOOTTIME, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 }  // namespace
 
 std::int64_t now_ns() {
@@ -48,7 +59,8 @@ double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Bus::Bus(Node& node, Outlet outlet) : node_(node), outlet_(std::move(outlet)) {}
+Bus::Bus(std::shared_ptr<Node> node, Outlet outlet)
+    : node_(std::move(node)), outlet_(std::move(outlet)) {}
 
 Bus::~Bus() {
   for (auto& [name, topic] : topics_) stop_reading(topic);
@@ -82,7 +94,7 @@ void Bus::stop_reading(Topic& topic) {
 
 void Bus::open(const std::string& name, Topic& topic, double now_s) try {
   topic.reader = std::make_unique<RawReader>(
-      node_, RawTopic{name, topic.found.type, topic.found.keyed}, topic.found.profile);
+      *node_, RawTopic{name, topic.found.type, topic.found.keyed}, topic.found.profile);
   wait_.add(*topic.reader);
   topic.opened_s = now_s;
   topic.resting = false;
@@ -95,7 +107,7 @@ void Bus::open(const std::string& name, Topic& topic, double now_s) try {
   outlet_.opened(topic.channel);
 } catch (const std::exception& error) {
   topic.refused = true;  // until discovery tells something new of it
-  node_.report(error.what());
+  node_->report(error.what());
 }
 
 void Bus::close(Topic& topic) {
@@ -124,19 +136,20 @@ void Bus::update(const std::string& name, Topic& topic, double now_s) {
   if (topic.reader && !wanted && topic.bytes_s > kRestBytes_s &&
       now_s - topic.opened_s > kRestAfter_s) {
     stop_reading(topic);
+    hearing_.reset();  // of somebody it may be all that was heard
     topic.resting = true;
   }
 }
 
 void Bus::look(double now_s) {
-  if (const auto news = node_.discoveries(); news != discoveries_) {
+  if (const auto news = node_->discoveries(); news != discoveries_) {
     discoveries_ = news;
     for (auto& [name, topic] : topics_) {  // who is still there is found again
       topic.found.writers = topic.found.readers = 0;
       topic.found.qos_mismatch = false;
       topic.found.foreign_type.clear();
     }
-    for (auto& [name, found] : survey(node_.endpoints())) {
+    for (auto& [name, found] : survey(node_->endpoints())) {
       if (topics_.size() >= kMaxTopics && !topics_.contains(name)) continue;
       auto& topic = topics_[name];
       const bool changed = topic.found.type != found.type || topic.found.keyed != found.keyed;
@@ -161,10 +174,12 @@ void Bus::look(double now_s) {
 void Bus::take(double now_s) {
   batch_.clear();
   const auto log_time_ns = now_ns();
+  PeerId from;
   for (auto& [name, topic] : topics_) {
     if (!topic.reader) continue;
     if (!spare_) spare_ = std::make_shared<Bytes>();
-    while (topic.reader->take(*spare_)) {
+    while (topic.reader->take(*spare_, &from)) {
+      hearing_.heard(from, now_s);
       ++topic.samples;
       topic.bytes += spare_->size();
       topic.last_s = now_s;
@@ -198,18 +213,52 @@ void Bus::publish(double now_s) {
     vehicle_reports_.push_back({name, last_s < 0.0 ? -1.0 : now_s - last_s});
 }
 
+void Bus::heal(double now_s) {
+  const double round_s = boot_s();
+  if (round_s_ >= 0.0 && round_s - round_s_ > 0.5 * node_->lease_s())
+    stood_still_s_ = round_s - round_s_;
+  round_s_ = round_s;
+  if (now_s - rejoined_s_ < kRejoinPeriod_s) return;
+  const auto why = stood_still_s_ > 0.0
+                       ? fmt::format(
+                             "nothing was done for {:.1f} s, so that others may have "
+                             "dropped this participant",
+                             stood_still_s_)
+                       : hearing_.complaint(node_->peers(), now_s);
+  if (why.empty()) return;
+  node_->report(why + ": joining the bus anew");
+  rejoined_s_ = now_s;
+  rejoin();
+}
+
+void Bus::rejoin() try {
+  const auto node = std::make_shared<Node>(node_->options());
+  for (auto& [name, topic] : topics_) {
+    stop_reading(topic);
+    topic.found.writers = topic.found.readers = 0;  // until they are discovered anew
+  }
+  node_ = node;
+  discoveries_ = 0;
+  stood_still_s_ = 0.0;
+  hearing_.reset();
+  if (on_rejoin) on_rejoin(node_);
+} catch (const std::exception& error) {
+  node_->report(error.what());
+}
+
 void Bus::run(Stop& stop) {
   double next_look_s = 0.0;
   while (!stop.requested()) {
-    const double now_s = node_.clock().steady_s();
+    const double now_s = node_->clock().steady_s();
     if (now_s >= next_look_s) {
+      heal(now_s);
       look(now_s);
       publish(now_s);
       next_look_s = now_s + kLookPeriod_s;
     }
     take(now_s);
     std::this_thread::sleep_for(kRound);
-    wait_.wait(std::max(0.0, next_look_s - node_.clock().steady_s()));
+    wait_.wait(std::max(0.0, next_look_s - node_->clock().steady_s()));
   }
 }
 

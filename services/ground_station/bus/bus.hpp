@@ -1,6 +1,7 @@
 // The DDS side: follows discovery, reads every topic as bytes, counts what comes.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include "services/common/node.hpp"
 #include "services/common/rate.hpp"
 #include "services/common/raw.hpp"
+#include "services/ground_station/bus/hearing.hpp"
 #include "services/ground_station/bus/source.hpp"
 #include "services/ground_station/bus/survey.hpp"
 
@@ -18,10 +20,13 @@ namespace foretrack::station {
 
 /// A channel opens when a topic has a writer and closes 10 s after its last writer left, so that a
 /// service that restarts keeps its channel. A topic of more than 1 MB/s that nobody wants rests.
+/// When a peer lives but is no longer heard, or after the process stood still for so long that
+/// peers may have dropped it, the bus is joined anew, with a participant that nobody knows;
+/// channels stay.
 class Bus : public Source {
  public:
   /// The outlet is called in run()'s thread.
-  Bus(Node& node, Outlet outlet);
+  Bus(std::shared_ptr<Node> node, Outlet outlet);
   ~Bus() override;
 
   void run(Stop& stop) override;
@@ -32,6 +37,9 @@ class Bus : public Source {
   void expect_own(const std::string& wire);
   std::vector<TopicReport> topics() const override;
   std::vector<VehicleReport> vehicles() const override;
+
+  /// Called in run()'s thread with the new node: what else has endpoints of the old one moves over.
+  std::function<void(std::shared_ptr<Node>)> on_rejoin;
 
  private:
   struct Topic {
@@ -54,8 +62,10 @@ class Bus : public Source {
   void stop_reading(Topic& topic);
   void take(double now_s);
   void publish(double now_s);
+  void heal(double now_s);
+  void rejoin();
 
-  Node& node_;
+  std::shared_ptr<Node> node_;
   Outlet outlet_;
   RawWait wait_;
   std::map<std::string, Topic> topics_;  // by name on the wire
@@ -64,6 +74,10 @@ class Bus : public Source {
   std::shared_ptr<Bytes> spare_;
   std::vector<Sample> batch_;
   std::set<std::uint32_t> wanted_now_;
+  Hearing hearing_;
+  double round_s_ = -1.0;       // of the last round, by the clock that goes on in standby
+  double stood_still_s_ = 0.0;  // for which nothing was done yet
+  double rejoined_s_ = -1e9;
 
   mutable std::mutex mutex_;  // guards what follows
   std::set<std::uint32_t> wanted_;

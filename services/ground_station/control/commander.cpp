@@ -32,11 +32,23 @@ std::string wire_name(const std::string& vehicle) {
   return topic_name(topics::MissionCommand::info, names);
 }
 
+std::unique_ptr<RawWriter> make_writer(Node& node, const std::string& topic) {
+  return std::make_unique<RawWriter>(node, RawTopic{topic, TypeName<Command>::value, false},
+                                     topics::MissionCommand::info.profile);
+}
+
 }  // namespace
 
-Commander::Commander(Node& node, bool may_order, std::function<void(const std::string&)> on_writer)
-    : node_(node), may_order_(may_order), on_writer_(std::move(on_writer)) {}
+Commander::Commander(std::shared_ptr<Node> node, bool may_order,
+                     std::function<void(const std::string&)> on_writer)
+    : node_(std::move(node)), may_order_(may_order), on_writer_(std::move(on_writer)) {}
 Commander::~Commander() = default;
+
+void Commander::move_to(std::shared_ptr<Node> node) {
+  for (auto& [name, vehicle] : vehicles_)
+    if (vehicle.writer) vehicle.writer = make_writer(*node, wire_name(name));
+  node_ = std::move(node);
+}
 
 void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_s) {
   SafetyState state;
@@ -44,9 +56,7 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   auto& vehicle = vehicles_[name];
   if (may_order_ && !vehicle.writer) {
     const auto topic = wire_name(name);
-    vehicle.writer =
-        std::make_unique<RawWriter>(node_, RawTopic{topic, TypeName<Command>::value, false},
-                                    topics::MissionCommand::info.profile);
+    vehicle.writer = make_writer(*node_, topic);
     on_writer_(topic);
   }
   auto& mission = vehicle.mission;

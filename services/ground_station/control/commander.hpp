@@ -30,8 +30,12 @@ class Commander {
  public:
   /// `may_order`: else it only listens. `on_writer` is told the name on the wire of each topic that
   /// it begins to write.
-  Commander(Node& node, bool may_order, std::function<void(const std::string&)> on_writer);
+  Commander(std::shared_ptr<Node> node, bool may_order,
+            std::function<void(const std::string&)> on_writer);
   ~Commander();
+
+  /// From now on writes by this node. Leases, and orders that wait for an answer, go on.
+  void move_to(std::shared_ptr<Node> node);
 
   /// A sample of a vehicle's safety/state.
   void hear(const std::string& vehicle, const CdrBytes& safety_state, double now_s);
@@ -81,7 +85,7 @@ class Commander {
   void renew(Vehicle& vehicle, double now_s);
   std::uint64_t next_id();
 
-  Node& node_;
+  std::shared_ptr<Node> node_;
   bool may_order_;
   std::function<void(const std::string&)> on_writer_;
   std::map<std::string, Vehicle> vehicles_;

@@ -55,7 +55,7 @@ class BusOnDds : public ::testing::Test {
   std::mutex mutex_;
   std::map<std::uint32_t, Channel> channels_;
   std::map<std::uint32_t, std::shared_ptr<const Bytes>> samples_;
-  Node node_{options(domain_, "station")};
+  std::shared_ptr<Node> node_ = std::make_shared<Node>(options(domain_, "station"));
   Bus bus_{node_,
            {[this](const Channel& c) {
               const std::lock_guard lock(mutex_);
@@ -117,6 +117,17 @@ TEST_F(BusOnDds, HearsBestEffortWritersAndShowsWhatDoesNotFit) {
     EXPECT_EQ(topic.qos_mismatch, topic.topic == "/uav1/odometry") << topic.topic;
     EXPECT_EQ(topic.foreign_type.empty(), topic.topic == "/uav1/odometry") << topic.topic;
   }
+}
+
+TEST_F(BusOnDds, KnowsWhoIsThereAndForHowLongItMayBeSilent) {
+  {
+    Node other(options(domain_, "uav1"));
+    ASSERT_TRUE(until([&] { return node_->peers().size() == 1; }, [] {}));
+    EXPECT_EQ(node_->peers()[0].name, "uav1/test");
+    EXPECT_EQ(node_->peers()[0].lease_s, node_->lease_s());
+    EXPECT_EQ(node_->lease_s(), 20.0);
+  }
+  EXPECT_TRUE(until([&] { return node_->peers().empty(); }, [] {}));
 }
 
 TEST(Raw, MalformedBytesAreRefusedNotThrown) {
