@@ -9,29 +9,6 @@
 namespace foretrack {
 namespace {
 
-AutopilotInput command_of(const GateResult& gate) {
-  AutopilotInput command;
-  command.heartbeat = gate.heartbeat;
-  command.setpoint = gate.setpoint;
-  switch (gate.request) {
-    case AutopilotRequest::kNone:
-      break;
-    case AutopilotRequest::kArm:
-      command.arm = true;
-      break;
-    case AutopilotRequest::kOffboard:
-      command.mode = AutopilotMode::kOffboard;
-      break;
-    case AutopilotRequest::kReturn:
-      command.mode = AutopilotMode::kReturn;
-      break;
-    case AutopilotRequest::kLand:
-      command.mode = AutopilotMode::kLand;
-      break;
-  }
-  return command;
-}
-
 // The path's point at a time, between its states; NaN beyond its end.
 Vec2 point_at(const PredictedPath& path, double time_s) {
   for (std::size_t i = 0; i < path.states.size(); ++i) {
@@ -82,6 +59,29 @@ MetricParams metric_params_of(const TrackerParams& params) {
           .speed_max_m_s = p.limits.speed_max_m_s,
           .acceleration_max_m_s2 = p.limits.acceleration_max_m_s2,
           .yaw_rate_max_rad_s = p.limits.yaw_rate_max_rad_s};
+}
+
+AutopilotInput command_of(const GateResult& gate) {
+  AutopilotInput command;
+  command.heartbeat = gate.heartbeat;
+  command.setpoint = gate.setpoint;
+  switch (gate.request) {
+    case AutopilotRequest::kNone:
+      break;
+    case AutopilotRequest::kArm:
+      command.arm = true;
+      break;
+    case AutopilotRequest::kOffboard:
+      command.mode = AutopilotMode::kOffboard;
+      break;
+    case AutopilotRequest::kReturn:
+      command.mode = AutopilotMode::kReturn;
+      break;
+    case AutopilotRequest::kLand:
+      command.mode = AutopilotMode::kLand;
+      break;
+  }
+  return command;
 }
 
 FlightResult fly(const Scenario& scenario, const TrackerParams& params,

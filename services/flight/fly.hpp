@@ -9,6 +9,9 @@ namespace foretrack {
 /// The limits and the distance band of the metrics are those that the planner was given.
 MetricParams metric_params_of(const TrackerParams& params);
 
+/// What the gate wants, as the simulated autopilot takes it.
+AutopilotInput command_of(const GateResult& gate);
+
 /// Is shown what the tracker put out in each step.
 using TrackerWatch = std::function<void(const TrackerOutput&)>;
 

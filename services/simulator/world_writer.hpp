@@ -1,0 +1,59 @@
+// What a world and its vehicle put on the bus: sensors, autopilot, truth.
+#pragma once
+
+#include <optional>
+
+#include "core/simulator/simulate.hpp"
+#include "foretrack_msgs/msg/LocalMap.h"
+#include "foretrack_msgs/msg/TargetObservation.h"
+#include "nav_msgs/msg/Odometry.h"
+#include "px4_msgs/msg/BatteryStatus.h"
+#include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/VehicleLocalPosition.h"
+#include "px4_msgs/msg/VehicleOdometry.h"
+#include "px4_msgs/msg/VehicleStatus.h"
+#include "sensor_msgs/msg/CameraInfo.h"
+#include "sensor_msgs/msg/Image.h"
+#include "services/common/service.hpp"
+#include "tf2_msgs/msg/TFMessage.h"
+
+namespace foretrack {
+
+class WorldWriter {
+ public:
+  /// Publishes what is latched: the camera's mount and, if the scenario's map is known, the map.
+  WorldWriter(Node& node, const Scenario& scenario, const World& world);
+
+  /// One step of 10 ms; slow topics are written every so many steps.
+  void publish(const SimulatorOutput& out);
+
+ private:
+  void publish_vehicle(const SimulatorOutput& out);
+  void publish_autopilot(const SimulatorOutput& out);
+  void publish_cameras(const SimulatorOutput& out);
+  void publish_truth(const SimulatorOutput& out);
+  bool every(int steps) const { return steps_ % steps == 0; }
+
+  long steps_ = 0;
+  AutopilotStatus autopilot_;
+  bool offboard_possible_ = false;
+
+  Writer<topics::Odometry> odometry_;
+  Writer<topics::Px4VehicleOdometry> px4_odometry_;
+  Writer<topics::Px4VehicleLocalPosition> px4_position_;
+  Writer<topics::Px4VehicleStatus> px4_status_;
+  Writer<topics::Px4BatteryStatus> px4_battery_;
+  Writer<topics::Px4FailsafeFlags> px4_flags_;
+  std::optional<Writer<topics::TargetObservation>> observation_;  // not beside images
+  Writer<topics::DepthImage> depth_;
+  Writer<topics::DepthCameraInfo> camera_info_;
+  Writer<topics::ColorImage> color_;
+  Writer<topics::ColorCameraInfo> color_info_;
+  Writer<topics::TargetTruth> target_truth_;
+  Writer<topics::VehicleTruth> vehicle_truth_;
+  Writer<topics::Transforms> transforms_;
+  Writer<topics::StaticTransforms> mount_;
+  Writer<topics::LocalMap> map_;
+};
+
+}  // namespace foretrack
