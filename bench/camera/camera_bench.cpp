@@ -1,10 +1,11 @@
 // What the pose network makes of rendered people, and flights that see by it.
-//   camera_bench [--walks N] [--flights N] [--first SEED] [--params FILE] [--json]
+//   camera_bench [--walks N] [--hidden N] [--crossings N] [--flights N] [--first SEED] [--params
+//   FILE] [--json]
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "bench/camera/walks.hpp"
+#include "bench/camera/crossings.hpp"
 #include "bench/run_bench.hpp"
 #include "services/config/load_params.hpp"
 #include "services/config/load_scenario.hpp"
@@ -18,7 +19,7 @@ using namespace foretrack;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  int walks = 16, hidden = 6, flights = 0;
+  int walks = 16, hidden = 6, flights = 0, crossings = 0;
   std::uint64_t first = 1;
   double seconds = 8.0;
   std::string params, scenario = "t_intersection";
@@ -96,6 +97,43 @@ Json run_walks(const Options& o, const PerceptionParams& params) {
   return json_of(total);
 }
 
+Json json_of(const CrossingScores& s) {
+  return {{"encounters", s.encounters},
+          {"switches", s.switches},
+          {"lost_at_end", s.lost_at_end},
+          {"found", share_of(s.found, s.frames)},
+          {"of_other", share_of(s.of_other, s.found)},
+          {"near", share_of(s.near_frames, s.frames)},
+          {"ambiguous", share_of(s.ambiguous, s.frames)}};
+}
+
+// So many of each kind.
+Json run_crossings(const Options& o, const PerceptionParams& params) {
+  PoseNetwork network =
+      load_pose_network(find_share("models"), static_cast<PoseModel>(params.model_complexity));
+  const auto people = person_names();
+  Json report;
+  CrossingScores total;
+  for (std::size_t kind = 0; kind < kCrossingNames.size(); ++kind) {
+    CrossingScores own;
+    for (int i = 0; i < o.crossings; ++i) {
+      const WalkCase walk{o.first + static_cast<std::uint64_t>(i),
+                          people[static_cast<std::size_t>(i) % people.size()], 1.65 + 0.1 * (i % 3),
+                          2.0 + 0.75 * (i / 2 % 4), o.seconds};
+      const int before = own.switches;
+      run_crossing(walk, static_cast<Crossing>(kind), network, params, own);
+      if (!o.json && own.switches > before)
+        std::printf("%s, seed %d: switched\n", std::string(kCrossingNames[kind]).c_str(),
+                    static_cast<int>(walk.seed));
+      std::fflush(stdout);
+    }
+    report[std::string(kCrossingNames[kind])] = json_of(own);
+    total.add(own);
+  }
+  report["all"] = json_of(total);
+  return report;
+}
+
 // A flight succeeds if nothing is hit and the person is not lost for good: every turn stays in
 // view.
 Json run_flights(const Options& o, const TrackerParams& params) {
@@ -126,6 +164,7 @@ int run(const Options& o) {
   const TrackerParams params = o.params.empty() ? TrackerParams{} : load_params(o.params);
   Json report;
   if (o.walks > 0 || o.hidden > 0) report["walks"] = run_walks(o, params.perception);
+  if (o.crossings > 0) report["crossings"] = run_crossings(o, params.perception);
   if (o.flights > 0) report["closed_loop"] = run_flights(o, params);
   std::printf("%s\n", report.dump(1).c_str());
   return 0;
@@ -139,6 +178,8 @@ int main(int argc, char** argv) {
   app.add_option("--walks", o.walks, "walks in the open")->capture_default_str();
   app.add_option("--hidden", o.hidden, "walks behind a wall")->capture_default_str();
   app.add_option("--seconds", o.seconds, "of each walk")->capture_default_str();
+  app.add_option("--crossings", o.crossings, "encounters with somebody else, of each kind")
+      ->capture_default_str();
   app.add_option("--flights", o.flights, "closed-loop flights")->capture_default_str();
   app.add_option("--scenario", o.scenario, "of the flights")->capture_default_str();
   app.add_option("--first", o.first, "first seed")->capture_default_str();

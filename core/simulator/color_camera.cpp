@@ -10,8 +10,7 @@ void to_camera(const Eigen::Isometry3f& T_camera_world, std::vector<Corner>& cor
 }
 
 void draw_person(ColorCamera& camera, const Eigen::Isometry3f& T_camera_world,
-                 const PersonState& person, double height_m) {
-  const PersonModel& model = *camera.person;
+                 const PersonModel& model, const PersonState& person, double height_m) {
   pose_person(model, joints_enu_m(person, height_m), height_m, camera.posed);
   cast_shadow(camera.posed, person.position_enu_m.z() - torso_height_m(height_m), camera.shadow);
   to_camera(T_camera_world, camera.posed);
@@ -32,7 +31,8 @@ ColorCamera make_color_camera(const ColorCameraParams& params, const World& worl
                      .canvas = make_canvas(params.camera),
                      .image = {},
                      .posed = {},
-                     .shadow = {}};
+                     .shadow = {},
+                     .bystanders = {}};
   camera.image.camera = params.camera;
   return camera;
 }
@@ -43,7 +43,9 @@ void render(ColorCamera& camera, const VehicleState& vehicle, const PersonState&
   const Eigen::Isometry3f T_camera_world = T_world_camera.inverse().cast<float>();
   clear(camera.canvas);
   draw(camera.canvas, camera.scenery, T_camera_world);
-  draw_person(camera, T_camera_world, person, height_m);
+  draw_person(camera, T_camera_world, *camera.person, person, height_m);
+  for (const auto& [model, other] : camera.bystanders)
+    draw_person(camera, T_camera_world, *model, other.state, other.params.height_m);
   shade(camera.canvas, {T_camera_world.linear().col(2)});
   camera.image.stamp_s = vehicle.stamp_s;
   camera.image.pixels = camera.canvas.color;

@@ -22,6 +22,12 @@ struct ColorImage {
   RgbImage pixels;
 };
 
+/// Who is rendered beside the person who is followed.
+struct Bystander {
+  std::shared_ptr<const PersonModel> model;
+  Person person;
+};
+
 struct ColorCamera {
   ColorCameraParams params;
   std::shared_ptr<const PersonModel> person;
@@ -30,6 +36,7 @@ struct ColorCamera {
   ColorImage image;
   double next_image_s = 0.0;
   std::vector<Corner> posed, shadow;  // workspace
+  std::vector<Bystander> bystanders;  // where they are now is the caller's business
 };
 
 /// Throws std::invalid_argument without a person.

@@ -30,6 +30,14 @@ constexpr std::string_view to_string(MapSource map) {
   return kMapSourceNames[static_cast<std::size_t>(map)];
 }
 
+/// Somebody who is not followed. Is seen in rendered images and their depth, and nowhere else.
+struct BystanderSpec {
+  std::string person = "girl";
+  std::vector<Vec2> route_m;  // to its end, and then stands there
+  double speed_m_s = 1.4;
+  PersonParams walk;
+};
+
 struct Scenario {
   std::string name = "unnamed";
   World world;  // the shapes given one by one
@@ -45,6 +53,7 @@ struct Scenario {
   bool depth_images = false;   // rendered also with the known map
   bool color_images = false;   // of the landmark camera, rendered, instead of its landmarks
   std::string person = "boy";  // who is rendered; services/people has the names
+  std::vector<BystanderSpec> bystanders;
   MapSource map = MapSource::kKnown;
   double map_resolution_m = 0.15;
   double duration_s = 60.0;

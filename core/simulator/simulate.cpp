@@ -1,5 +1,6 @@
 #include "core/simulator/simulate.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "core/simulator/route.hpp"
@@ -76,6 +77,22 @@ void take_images(SimulatorState& state, double height_m) {
     out.depth = image_depth(state.depth_camera, state.world, out.vehicle, out.target, height_m);
 }
 
+std::vector<Bystander> bystanders_of(const Scenario& scenario, double ground_z_m,
+                                     std::vector<std::shared_ptr<const PersonModel>> models) {
+  if (models.size() != scenario.bystanders.size() ||
+      std::find(models.begin(), models.end(), nullptr) != models.end())
+    throw std::invalid_argument("make_simulator: " + std::to_string(scenario.bystanders.size()) +
+                                " bystanders to render are needed");
+  std::vector<Bystander> bystanders;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const BystanderSpec& spec = scenario.bystanders[i];
+    Walk walk = walk_along(spec.route_m, {.speed_m_s = spec.speed_m_s});
+    bystanders.push_back(
+        {std::move(models[i]), make_person(spec.walk, std::move(walk), ground_z_m)});
+  }
+  return bystanders;
+}
+
 }  // namespace
 
 World world_of(const Scenario& scenario) {
@@ -104,7 +121,8 @@ Walk walk_of(const Scenario& scenario, const World& world) {
                     limits);
 }
 
-SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const PersonModel> model) {
+SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const PersonModel> model,
+                              std::vector<std::shared_ptr<const PersonModel>> bystanders) {
   World world = world_of(scenario);
   Person person = make_person(scenario.target.person, walk_of(scenario, world), world.min_m.z());
   if (!world.contains(person.state.position_enu_m) ||
@@ -123,10 +141,13 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
                        make_depth_camera(scenario.depth_camera, seed_of(scenario, 4)),
                        {},
                        {}};
-  if (scenario.color_images)
+  if (scenario.color_images) {
     state.color_camera =
         make_color_camera({scenario.landmark_camera.camera, scenario.landmark_camera.rate_hz},
                           state.world, std::move(model));
+    state.color_camera->bystanders =
+        bystanders_of(scenario, state.world.min_m.z(), std::move(bystanders));
+  }
   state.output.vehicle = state.quadrotor.vehicle;
   state.output.autopilot = state.autopilot.status;
   state.output.target = state.person.state;
@@ -142,6 +163,8 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   fly_setpoint(scenario.quadrotor, scenario.wind, state.quadrotor, setpoint,
                state.autopilot.status.armed, dt_s);
   advance(state.person, dt_s);
+  if (state.color_camera)
+    for (Bystander& other : state.color_camera->bystanders) advance(other.person, dt_s);
 
   SimulatorOutput& out = state.output;
   out.now_s += dt_s;

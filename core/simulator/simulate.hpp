@@ -36,9 +36,11 @@ struct SimulatorState {
 
 /// At time 0: the person stands at the start, the vehicle hovers armed. Each part draws its noise
 /// from a seed of its own. Throws std::invalid_argument for a scenario that cannot be (start inside
-/// an obstacle or outside the bounds, no way to walk; color images without a `person` to render).
+/// an obstacle or outside the bounds, no way to walk; color images without a `person` to render, or
+/// without one for each bystander).
 SimulatorState make_simulator(const Scenario& scenario,
-                              std::shared_ptr<const PersonModel> person = nullptr);
+                              std::shared_ptr<const PersonModel> person = nullptr,
+                              std::vector<std::shared_ptr<const PersonModel>> bystanders = {});
 
 /// Advances by dt_s (10 ms is usual). Autopilot, then vehicle, person, images. The output is also
 /// in the state. Cost: about 20 µs for 10 ms; a depth image 2 ms more, a colour image 15 ms (and

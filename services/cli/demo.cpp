@@ -23,9 +23,6 @@
 namespace foretrack {
 namespace {
 
-// Rendering and the pose network together take more than two cores in real time have.
-constexpr double kCameraSpeed = 0.5;
-
 struct DemoArguments {
   DemoOptions options;
   std::string out;
@@ -78,10 +75,10 @@ int run(DemoArguments arguments) {
   auto& spec = options.spec;
   if (!spec.params_file.empty()) load_params(spec.params_file);  // throws what is wrong in it
   if (overrides.color_images) {
-    person_of(options.scenario =
-                  load_scenario(spec.scenario, overrides));  // throws what is missing
+    // Throws what is missing.
+    person_of(options.scenario = load_scenario(spec.scenario, overrides));
+    bystanders_of(options.scenario);
     spec.camera = true;
-    spec.speed *= kCameraSpeed;
   }
   overrides.map = spec.map == "known" ? MapSource::kKnown : MapSource::kDepth;
   options.scenario = load_scenario(spec.scenario, overrides);
@@ -121,8 +118,7 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_option("--track", overrides.track_file, "Walk as a pedestrian of this recording")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", overrides.pedestrian, "Which pedestrian of the recording");
-  app.add_flag("--camera", overrides.color_images,
-               "See rendered images through the pose network, at half the speed");
+  app.add_flag("--camera", overrides.color_images, "See rendered images through the pose network");
   app.add_flag("--headless", options.headless, "A line a second instead of a screen");
   app.add_option("--out", out, "Folder; default: flights/<scenario>-<date>");
   app.add_flag("--no-station", no_station, "Without the ground station and its page");

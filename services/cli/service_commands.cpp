@@ -94,6 +94,7 @@ std::function<int()> prepare_simulator(CLI::App& app) {
       o->overrides.map = o->map == "known" ? MapSource::kKnown : MapSource::kDepth;
     const Scenario scenario = load_scenario(o->scenario, o->overrides);
     o->simulator.person = person_of(scenario);
+    o->simulator.bystanders = bystanders_of(scenario);
     return run_until_stopped(
         o->service, [&](Stop& stop) { run_simulator(o->service, scenario, o->simulator, stop); });
   };

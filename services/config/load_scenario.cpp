@@ -78,6 +78,11 @@ void check_path(YamlReader& r, const Scenario& s) {
   for (const Vec2& p : s.target.route_m)
     if (outside(p))
       r.fault("target", fmt::format("route_m: ({}, {}) is outside world.bounds_m", p.x(), p.y()));
+  for (const auto& bystander : s.bystanders)
+    for (const Vec2& p : bystander.route_m)
+      if (outside(p))
+        r.fault("bystanders",
+                fmt::format("route_m: ({}, {}) is outside world.bounds_m", p.x(), p.y()));
   for (const auto& p : s.target.track)
     if (outside(p.position_m))
       return r.fault("target", fmt::format("track: ({}, {}) is outside world.bounds_m",

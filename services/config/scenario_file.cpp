@@ -101,6 +101,15 @@ void read_target(YamlReader& r, ScenarioFile& file) {
     r.fault("stops", "a recorded track has its own stops");
 }
 
+void read_bystander(YamlReader& r, BystanderSpec& bystander) {
+  r.points("route_m", bystander.route_m);
+  if (bystander.route_m.empty()) r.fault("route_m", "is needed, with one point at least");
+  r.text("person", bystander.person);
+  r.number("speed_m_s", bystander.speed_m_s, 0.1, 5.0);
+  r.number("height_m", bystander.walk.height_m, 0.8, 2.5);
+  r.number("start_s", bystander.walk.start_s, 0.0, 600.0);
+}
+
 void read_vehicle(YamlReader& r, Scenario& s) {
   if (r.has("position_m")) r.point("position_m", s.vehicle_enu_m.emplace());
   r.number("yaw_rad", s.vehicle_yaw_rad, -2.0 * kPi, 2.0 * kPi);
@@ -138,6 +147,7 @@ ScenarioFile read_scenario_file(YamlReader& r) {
   Scenario& s = file.scenario;
   r.section("world", [&](YamlReader& w) { read_world(w, file); });
   r.section("target", [&](YamlReader& t) { read_target(t, file); });
+  r.list("bystanders", [&](YamlReader& b) { read_bystander(b, s.bystanders.emplace_back()); });
   r.section("vehicle", [&](YamlReader& v) { read_vehicle(v, s); });
   r.section("sensors", [&](YamlReader& v) { read_sensors(v, s); });
   r.section("wind", [&](YamlReader& w) { read_wind(w, s.wind); });

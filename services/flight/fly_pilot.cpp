@@ -24,7 +24,7 @@ void write_truth(const SimulatorState& simulator, FlightRow& row) {
 
 FlightResult fly_pilot(const Scenario& scenario, const Pilot& pilot, const MetricParams& metrics,
                        const FlightOptions& options) {
-  SimulatorState simulator = make_simulator(scenario, person_of(scenario));
+  SimulatorState simulator = make_simulator(scenario, person_of(scenario), bystanders_of(scenario));
   GridMap known;
   if (scenario.map == MapSource::kKnown)
     known = known_map(simulator.world, scenario.map_resolution_m);

@@ -20,7 +20,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kTakePeriod_s = 0.01;
+constexpr double kTakePeriod_s = 0.005;
 constexpr double kLaunchPeriod_s = 0.05;
 constexpr double kDrawPeriod_s = 0.15;
 constexpr double kOnboardPatience_s = 10.0;  // for the services' first sign of life
@@ -43,7 +43,7 @@ class Demo {
         node_(node_options(options.spec)),
         loop_(node_, stop),
         listener_(node_, true),
-        recorder_(options.scenario) {
+        recorder_(options.scenario, [this] { return node_.clock().steady_s(); }) {
     recorder_.attach(listener_.hooks);
     for (auto& process : onboard_processes(options_.spec)) launcher_.add(std::move(process));
     if (options_.station) launcher_.add(*options_.station);

@@ -51,6 +51,7 @@ Listener::Listener(Node& node, bool with_images)
     : node_(node),
       odometry_(node),
       observation_(node),
+      color_info_(node),
       target_(node),
       intention_(node),
       prediction_(node),
@@ -93,6 +94,9 @@ void Listener::update() {
   target_truth_.take(hooks.target_truth);
   odometry_.take(std::function<void(const nav_msgs::msg::Odometry&)>());
   observation_.take_newest();
+  color_info_.take_each([this](const auto& info) {
+    if (hooks.color_image) hooks.color_image(to_seconds(info.header().stamp()));
+  });
   take_images();
   target_.take(hooks.target);
   intention_.take(hooks.intention);

@@ -10,6 +10,7 @@
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "rosgraph_msgs/msg/Clock.h"
+#include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/common/node.hpp"
 #include "services/common/rate.hpp"
@@ -21,6 +22,7 @@ namespace foretrack {
 
 /// Called with every valid sample, in order of arrival; empty ones are skipped.
 struct Hooks {
+  std::function<void(double stamp_s)> color_image;  // its camera_info came
   std::function<void(const nav_msgs::msg::Odometry&)> vehicle_truth, target_truth;
   std::function<void(const foretrack_msgs::msg::TargetState&)> target;
   std::function<void(const foretrack_msgs::msg::TargetIntention&)> intention;
@@ -71,6 +73,7 @@ class Listener {
   Node& node_;
   Kept<topics::Odometry> odometry_;
   Reader<topics::TargetObservation> observation_;
+  Reader<topics::ColorCameraInfo> color_info_;
   std::optional<Reader<topics::DepthImage>> depth_;
   Kept<topics::TargetState> target_;
   std::optional<Reader<topics::LocalMap>> map_;

@@ -11,6 +11,8 @@
 namespace foretrack {
 namespace {
 
+constexpr double kSameStamp_s = 1e-6;
+constexpr std::size_t kMostImages = 100;
 constexpr double kGap_s = 0.5;  // a longer one in the truth is not bridged
 
 // Where the most probable path is some seconds after now.
@@ -39,11 +41,13 @@ PersonState person_of(const VehicleState& truth) {
 
 }  // namespace
 
-Recorder::Recorder(const Scenario& scenario) : scenario_(scenario), world_(world_of(scenario)) {
+Recorder::Recorder(const Scenario& scenario, std::function<double()> wall_s)
+    : scenario_(scenario), world_(world_of(scenario)), wall_s_(std::move(wall_s)) {
   now_.foresight_m.fill(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
 void Recorder::attach(Hooks& hooks) {
+  hooks.color_image = [this](double stamp_s) { hear_image(stamp_s); };
   hooks.vehicle_truth = [this](const auto& m) { hear_vehicle(m); };
   hooks.target_truth = [this](const auto& m) { hear_target(m); };
   hooks.target = [this](const auto& m) {
@@ -55,6 +59,12 @@ void Recorder::attach(Hooks& hooks) {
   hooks.prediction = [this](const auto& m) { hear_prediction(m); };
   hooks.plan = [this](const auto& m) { hear_plan(m); };
   hooks.safety = [this](const auto& m) { hear_safety(m); };
+}
+
+void Recorder::hear_image(double stamp_s) {
+  if (!wall_s_) return;
+  if (images_.size() == kMostImages) images_.pop_front();
+  images_.push_back({stamp_s, wall_s_()});
 }
 
 void Recorder::hear_vehicle(const nav_msgs::msg::Odometry& odometry) {
@@ -100,10 +110,17 @@ void Recorder::hear_safety(const foretrack_msgs::msg::SafetyState& m) {
   now_.autopilot = report->autopilot;
   now_.mode = to_string(report->result.mode);
   now_.setpoint = report->result.setpoint;
-  const double cause_s = report->caused_by_s;
-  if (!now_.setpoint || cause_s <= last_cause_s_) return;
+  if (now_.setpoint && report->caused_by_s > last_cause_s_)
+    take_latency(report->stamp_s, report->caused_by_s);
+}
+
+void Recorder::take_latency(double stamp_s, double cause_s) {
   last_cause_s_ = cause_s;
-  latency_ms_.push_back(1e3 * (report->stamp_s - cause_s));
+  latency_ms_.push_back(1e3 * (stamp_s - cause_s));
+  while (!images_.empty() && images_.front().stamp_s < cause_s - kSameStamp_s) images_.pop_front();
+  if (images_.empty() || images_.front().stamp_s > cause_s + kSameStamp_s) return;
+  wall_latency_ms_.push_back(1e3 * (wall_s_() - images_.front().at_s));
+  images_.pop_front();
 }
 
 void Recorder::add_rows() {

@@ -49,7 +49,8 @@ std::string times(const FlightSummary& s) {
         fmt::format("  {:<20}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}\n", name, q.p50, q.p95, q.p99, q.max);
   };
   for (const auto& [name, quantiles] : s.stage_ms) line(name, quantiles);
-  line("image to setpoint", s.latency_ms);
+  if (s.wall_latency_ms.p50 > 0.0) line("image to setpoint", s.wall_latency_ms);
+  line(s.wall_latency_ms.p50 > 0.0 ? "  by the flight's clock" : "image to setpoint", s.latency_ms);
   const double camera_ms = s.camera_delay_ms;
   if (camera_ms > 0.0)
     line("  after the camera", {.p50 = s.latency_ms.p50 - camera_ms,
@@ -90,6 +91,7 @@ FlightSummary summarize(const Recorder& recorder, const MetricParams& params) {
   for (const auto& [name, values] : recorder.stage_ms())
     summary.stage_ms[name] = quantiles_of(values);
   summary.latency_ms = quantiles_of(recorder.latency_ms());
+  summary.wall_latency_ms = quantiles_of(recorder.wall_latency_ms());
   if (summary.stage_ms.contains("plan")) summary.metrics.plan_ms = summary.stage_ms.at("plan");
   return summary;
 }
@@ -114,6 +116,7 @@ std::string to_json_text(const FlightSummary& s) {
                {"plans", s.plans},
                {"metrics", Json::parse(foretrack::json_of(s.metrics))},
                {"latency_ms", json_of(s.latency_ms)},
+               {"wall_latency_ms", json_of(s.wall_latency_ms)},
                {"camera_delay_ms", s.camera_delay_ms}};
   for (const auto& [name, quantiles] : s.stage_ms) json["stage_ms"][name] = json_of(quantiles);
   for (const auto& [name, of] : s.services) json["services"][name] = json_of(of);

@@ -24,8 +24,9 @@ struct FlightSummary {
   double wall_s = 0.0;  // that the flight took here
   double path_length_m = 0.0;
   int plans = 0;
-  Quantiles latency_ms;                       // image's stamp → setpoint
-  double camera_delay_ms = 0.0;               // the simulated camera's part of it
+  Quantiles latency_ms;          // image's stamp → setpoint, by the flight's clock
+  Quantiles wall_latency_ms;     // the same by the wall's, from a rendered image's coming; 0: none
+  double camera_delay_ms = 0.0;  // the simulated camera's part of it
   std::map<std::string, Quantiles> stage_ms;  // "plan", "plan: corridor", "predict", …
   std::map<std::string, ServiceSummary> services;
   ServiceSummary onboard;  // all services on the vehicle together

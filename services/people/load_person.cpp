@@ -137,4 +137,12 @@ std::shared_ptr<const PersonModel> person_of(const Scenario& scenario) {
   return scenario.color_images ? load_person(scenario.person) : nullptr;
 }
 
+std::vector<std::shared_ptr<const PersonModel>> bystanders_of(const Scenario& scenario) {
+  std::vector<std::shared_ptr<const PersonModel>> models;
+  if (scenario.color_images)
+    for (const auto& bystander : scenario.bystanders)
+      models.push_back(load_person(bystander.person));
+  return models;
+}
+
 }  // namespace foretrack

@@ -25,5 +25,7 @@ std::shared_ptr<const PersonModel> load_person(const std::string& name,
 
 /// Whom the scenario renders; null if it does not.
 std::shared_ptr<const PersonModel> person_of(const Scenario& scenario);
+/// Its bystanders, in their order; empty if it does not render.
+std::vector<std::shared_ptr<const PersonModel>> bystanders_of(const Scenario& scenario);
 
 }  // namespace foretrack

@@ -1,5 +1,6 @@
 #include "services/simulator/simulator_service.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "services/convert/geometry.hpp"
@@ -9,6 +10,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kStep_s = 0.01;
+constexpr double kMostBehind = 5.0;  // steps that are made up for
 
 double checked_speed(double speed) {
   if (speed >= 0.01 && speed <= 100.0) return speed;
@@ -19,15 +21,27 @@ double checked_speed(double speed) {
 
 SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
                                    const SimulatorOptions& options, Stop& stop)
-    : stop_(stop),
+    : clock_of_pace_(service.clock()),
+      stop_(stop),
       options_(options),
-      state_(make_simulator(scenario, options.person)),
+      state_(make_simulator(scenario, options.person, options.bystanders)),
       heartbeat_(service.node()),
       setpoint_(service.node()),
       command_(service.node()),
       clock_(service.node()),
       world_(service.node(), scenario, state_.world) {
-  service.loop().every_wall(kStep_s / checked_speed(options.speed), [this] { step(); });
+  period_s_ = kStep_s / checked_speed(options.speed);
+  service.loop().every_wall(period_s_, [this] { keep_pace(); });
+}
+
+// A rendered image takes longer than a step: the next steps make up for it, two at a time.
+void SimulatorService::keep_pace() {
+  const double now_s = clock_of_pace_.steady_s();
+  due_s_ = std::max(due_s_ + period_s_, now_s - kMostBehind * period_s_);
+  step();
+  if (now_s - due_s_ < period_s_) return;
+  due_s_ += period_s_;
+  step();
 }
 
 void SimulatorService::step() {

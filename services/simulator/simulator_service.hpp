@@ -13,12 +13,14 @@ namespace foretrack {
 struct SimulatorOptions {
   double speed = 1.0;    // simulated seconds in a second
   bool endless = false;  // goes on after the scenario's duration
-  std::shared_ptr<const PersonModel> person =
-      nullptr;  // to be rendered, if the scenario has colour images
+  // To be rendered, if the scenario has colour images.
+  std::shared_ptr<const PersonModel> person = nullptr;
+  std::vector<std::shared_ptr<const PersonModel>> bystanders = {};
 };
 
-/// Steps of 10 ms simulated time from 0, each announced on the clock topic after its data. Under
-/// load it falls behind rather than leap. A known map is published once, latched, with stamp 0.
+/// Steps of 10 ms simulated time from 0, each announced on the clock topic after its data. It
+/// makes up for some late steps, two at a time; under load it falls behind rather than leap. A
+/// known map is published once, latched, with stamp 0.
 class SimulatorService {
  public:
   /// Throws as make_simulator does; std::invalid_argument if the speed is not within 0.01 to 100.
@@ -26,13 +28,16 @@ class SimulatorService {
                    Stop& stop);
 
  private:
+  void keep_pace();
   void step();
   AutopilotInput take_input();
   void take_commands(AutopilotInput& input);
 
+  Clock& clock_of_pace_;
   Stop& stop_;
   SimulatorOptions options_;
   SimulatorState state_;
+  double period_s_ = 0.0, due_s_ = -1e18;  // steady clock, of the next step
 
   Reader<topics::Px4OffboardControlMode> heartbeat_;
   Reader<topics::Px4TrajectorySetpoint> setpoint_;

@@ -77,6 +77,34 @@ TEST(Recorder, TakesTheLatencyOfEachImageOnce) {
   EXPECT_NEAR(flight.recorder.latency_ms()[1], 100.0, 0.01);
 }
 
+TEST(Recorder, TakesTheWallTimeFromARenderedImageToTheSetpointThatItCaused) {
+  double wall_s = 500.0;
+  Recorder recorder(Scenario{}, [&] { return wall_s; });
+  Hooks hooks;
+  recorder.attach(hooks);
+  const auto caused_by = [&](double stamp_s) {
+    GateReport report;
+    report.stamp_s = stamp_s + 0.04;
+    report.caused_by_s = stamp_s;
+    report.result.setpoint = Setpoint{.stamp_s = report.stamp_s};
+    foretrack_msgs::msg::SafetyState message;
+    to_idl(report, message);
+    hooks.safety(message);
+  };
+  for (const double stamp_s : {10.00, 10.03, 10.07}) {
+    hooks.color_image(stamp_s);
+    wall_s += 0.1;  // the flight's clock is slowed
+  }
+  caused_by(10.03);
+  wall_s += 0.05;
+  caused_by(10.05);  // a stamp that was coasted to
+  caused_by(10.07);
+  ASSERT_EQ(recorder.wall_latency_ms().size(), 2u);
+  EXPECT_NEAR(recorder.wall_latency_ms()[0], 200.0, 1e-6);
+  EXPECT_NEAR(recorder.wall_latency_ms()[1], 150.0, 1e-6);
+  EXPECT_EQ(recorder.latency_ms().size(), 3u);
+}
+
 TEST(Summary, SaysThatAVehicleWhichStoodDidNotFly) {
   const FlightSummary nothing = summarize(Recorder(Scenario{}), MetricParams{});
   EXPECT_FALSE(nothing.happened());
