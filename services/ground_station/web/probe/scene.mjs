@@ -1,5 +1,6 @@
 // scene.mjs [VEHICLES [SECONDS]]: frames a second of the page's scene on a made-up flight, in a
-// browser without a graphics card; draw calls, and what a frame costs the page's own script. JSON.
+// browser without a graphics card; draw calls, what a frame costs the page's own script and each
+// process, and how long one picture takes to draw at several ratios of pixels. JSON.
 import { readdirSync, readFileSync } from "node:fs";
 
 import { launch, open } from "../tests/chromium.mjs";
@@ -21,6 +22,27 @@ function processor() {
   return spent;
 }
 
+/** Milliseconds of one picture until it is there, by ratio, with nothing new to show. */
+function raster(page) {
+  return page.evaluate(() => {
+    const { renderer, scene, camera, request } = document.querySelector("[data-first]").view;
+    cancelAnimationFrame(request);
+    const gl = renderer.getContext();
+    const draw_ms = () => {
+      const begin_ms = performance.now();
+      renderer.render(scene, camera);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for it
+      return performance.now() - begin_ms;
+    };
+    const middle = (ratio) => {
+      renderer.setPixelRatio(ratio);
+      const times = Array.from({ length: 30 }, draw_ms).slice(5).sort((a, b) => a - b);
+      return Number(times[12].toFixed(1));
+    };
+    return Object.fromEntries([2, 1, 0.75, 0.5].map((ratio) => [ratio, middle(ratio)]));
+  });
+}
+
 const [vehicles = 8, seconds = 15] = process.argv.slice(2).map(Number);
 const station = await startStandIn({ vehicles });
 const browser = await launch({ scene: true });
@@ -39,13 +61,14 @@ const middle = (key) => {
   const sorted = samples.map((s) => Number(s[key])).sort((a, b) => a - b);
   return sorted[sorted.length >> 1];
 };
+if (process.env["SHOT"]) await page.screenshot({ path: process.env["SHOT"] });
 const frames = samples.reduce((sum, s) => sum + Number(s.fps), 0);
 const cpu_ms_a_frame = Object.fromEntries(Object.keys(after).map((kind) =>
   [kind, Number((1000 * (after[kind] - before[kind]) / frames).toFixed(1))]));
 console.log(JSON.stringify({ vehicles, first_picture_ms: first_ms, fps: middle("fps"),
   fps_all: samples.map((s) => Number(s.fps)), calls: middle("calls"),
-  triangles: middle("triangles"), script_ms: middle("script"), ratio: middle("ratio"), cpu_ms_a_frame }));
-if (process.env["SHOT"]) await page.screenshot({ path: process.env["SHOT"] });
+  triangles: middle("triangles"), script_ms: middle("script"), ratio: middle("ratio"),
+  cpu_ms_a_frame, raster_ms: await raster(page) }));
 await browser.close();
 station.close();
 process.exit(0);

@@ -2,5 +2,6 @@
 declare module "ws" {
   export default class WebSocket {
     constructor(url: string, protocols: string[]);
+    on(event: "close", listener: (code: number, reason: Buffer) => void): void;
   }
 }

@@ -16,6 +16,7 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
     if (!module || !host.current) return;
     try {
       view.current = new module.SceneView(session, host.current);
+      Object.assign(host.current, { view: view.current }); // for probe/scene.mjs
     } catch (error) {
       host.current.textContent = `This browser shows no 3-D: ${(error as Error).message}`;
       return;

@@ -12,6 +12,19 @@ function dynamic(size: number, items: number): BufferAttribute {
   return attribute;
 }
 
+/** What was written goes to the graphics library, and no more: `first` and `count` are items. */
+export function renew(attribute: BufferAttribute, first: number, count: number): void {
+  const { itemSize } = attribute;
+  attribute.addUpdateRange(first * itemSize, count * itemSize);
+  attribute.needsUpdate = true;
+}
+
+/** The same where all that is drawn was written. */
+export function renewAll(attribute: BufferAttribute, count: number): void {
+  attribute.clearUpdateRanges(); // those that were out of sight pile up
+  renew(attribute, 0, count);
+}
+
 function paint(colors: BufferAttribute, i: number, color: Color, alpha: number): void {
   colors.setXYZW(i, color.r, color.g, color.b, alpha);
 }
@@ -68,7 +81,7 @@ export class Ribbons {
     this.bound();
   }
 
-  set(ribbon: number, points: readonly Point[], width_m: number, color: (i: number) => string,
+  set(ribbon: number, points: readonly Point[], width_m: number, color: (i: number) => Color,
       alpha: (share: number) => number): void {
     const count = points.length > 1 ? Math.min(points.length, this.capacity) : 0;
     const first = 2 * ribbon * this.capacity;
@@ -82,21 +95,22 @@ export class Ribbons {
       const at = first + 2 * i;
       this.positions.setXYZ(at, x + ox, y + oy, z);
       this.positions.setXYZ(at + 1, x - ox, y - oy, z);
-      parse.set(color(i));
       const opacity = alpha(i / (count - 1));
-      paint(this.colors, at, parse, opacity);
-      paint(this.colors, at + 1, parse, opacity);
+      paint(this.colors, at, color(i), opacity);
+      paint(this.colors, at + 1, color(i), opacity);
     }
     this.close(first, count);
     this.ends[2 * ribbon] = count > 0 ? points[0] : undefined;
     this.ends[2 * ribbon + 1] = count > 0 ? points[count - 1] : undefined;
     this.bound();
-    this.positions.needsUpdate = true;
-    this.colors.needsUpdate = true;
+    for (const attribute of [this.positions, this.colors])
+      if (attribute.updateRanges.length > this.ends.length)
+        renewAll(attribute, attribute.count); // it was out of sight
+      else renew(attribute, first, 2 * this.capacity);
   }
 
   clear(ribbon: number): void {
-    this.set(ribbon, [], 0, () => "", () => 0);
+    this.set(ribbon, [], 0, () => parse, () => 0);
   }
 
   // A path stays within its length of its ends: twice their distance is far enough.
@@ -165,8 +179,8 @@ export class Fans {
         paint(this.colors, f * each + 1 + i, parse, 0.45 * fan.alpha);
       }
     }
-    this.positions.needsUpdate = true;
-    this.colors.needsUpdate = true;
+    renewAll(this.positions, each * count);
+    renewAll(this.colors, each * count);
     this.mesh.geometry.setDrawRange(0, 3 * Fans.steps * count);
   }
 }
@@ -192,7 +206,7 @@ export class Segments {
       this.positions.setXYZ(2 * i, ...edges[i]![0]);
       this.positions.setXYZ(2 * i + 1, ...edges[i]![1]);
     }
-    this.positions.needsUpdate = true;
+    renewAll(this.positions, 2 * count);
     this.mesh.geometry.setDrawRange(0, 2 * count);
   }
 }
@@ -228,8 +242,8 @@ export class FadingLine {
       this.extent.add(p.x, p.y, p.z);
     }
     this.extent.end(this.mesh.geometry);
-    this.positions.needsUpdate = true;
-    this.colors.needsUpdate = true;
+    renewAll(this.positions, count);
+    renewAll(this.colors, count);
     this.mesh.geometry.setDrawRange(0, count);
   }
 }

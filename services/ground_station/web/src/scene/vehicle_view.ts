@@ -1,5 +1,5 @@
 // All that is drawn of one vehicle: itself, its person, what it predicts and what it plans.
-import { Group } from "three";
+import { Color, Group } from "three";
 
 import type { PlannedTrajectory, TargetIntention, TargetPrediction } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
@@ -13,12 +13,20 @@ import { type Fan, FadingLine, Fans, type Point, Ribbons, Segments } from "./sha
 import { voxelsOfMap, voxelsOfPoints, VoxelView } from "./voxels.ts";
 
 const planPoints = 48;
-const planColor = "#f4f7fa";
-const tailColor = "#93a1af"; // where the plan only stops, and its corridor
+const planColor = new Color("#f4f7fa");
+const stopColor = "#93a1af"; // where the plan only stops, and its corridor
+const tailColor = new Color(stopColor);
+const parsed = new Map<string, Color>();
 const corridorPeriod_s = 0.2;
 const maxPaths = 6;
 const ribbonPoints = 64;
 const reach_m = 2.5; // to which visible regions are drawn
+
+function colorNamed(name: string): Color {
+  let color = parsed.get(name);
+  if (!color) parsed.set(name, color = new Color(name));
+  return color;
+}
 
 export class VehicleView {
   readonly group = new Group();
@@ -31,7 +39,7 @@ export class VehicleView {
   private shown = { paths: false, plan: false };
   private readonly sectors = new Fans(4);
   private readonly regions = new Fans(64);
-  private readonly corridor = new Segments(1500, tailColor, 0.5);
+  private readonly corridor = new Segments(1500, stopColor, 0.5);
   private readonly voxels = new VoxelView();
   private drawn = new WeakSet<object>(); // messages whose shapes are up to date
   private corridor_s = -Infinity;
@@ -62,7 +70,8 @@ export class VehicleView {
       heard !== undefined && age_s(state, heard) < stale_s;
     const { "target/prediction": prediction, "plan/trajectory": plan } = latest;
     this.clearStale(fresh(prediction), fresh(plan));
-    if (prediction && this.shown.paths && this.isNew(prediction)) this.drawPaths(prediction.message);
+    if (prediction && this.shown.paths && this.isNew(prediction))
+      this.drawPaths(prediction.message);
     if (plan && this.shown.plan && this.isNew(plan)) this.drawPlan(plan.message);
     if (chosen) this.drawDetails(state, vehicle, fresh);
     this.drawVoxels(vehicle, cut_m);
@@ -97,7 +106,7 @@ export class VehicleView {
         continue;
       }
       const p = Math.min(1, Math.max(0, path.probability));
-      const color = intentionColor(path.name, path.intention);
+      const color = colorNamed(intentionColor(path.name, path.intention));
       const points = path.states.map(({ position_m: at }): Point =>
         [at[0]!, at[1]!, 0.06 + 0.02 * i]);
       this.ribbons.set(i, points, 0.05 + 0.22 * p, () => color,

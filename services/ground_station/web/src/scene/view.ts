@@ -1,4 +1,4 @@
-// The 3-D scene: world ENU, z up. Draws at most thirty times a second, and only when shown.
+// The 3-D scene: world ENU, z up. Drawn only when it is shown and something changed.
 import {
   AmbientLight, Color, DirectionalLight, GridHelper, PerspectiveCamera, Scene, Vector3,
   WebGLRenderer,
@@ -7,14 +7,14 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import type { Vehicle } from "../store/state.ts";
 import type { Session } from "../ui/session.ts";
+import { Pace } from "./pace.ts";
 import { VehicleView } from "./vehicle_view.ts";
 
 const cutHeight_m = 1.1;
 
 export type ViewKind = "orbit" | "follow" | "top";
 
-const period_ms = 1000 / 30;
-const slowPeriod_ms = 1000 / 12; // where even coarse pictures are too much
+const longest_ms = 500; // what grows old is drawn so without anything new
 
 // Without a graphics card smooth edges cost more than they are worth.
 function drawsInSoftware(): boolean {
@@ -37,28 +37,31 @@ export class SceneView {
   private readonly labels = new Map<string, HTMLElement>();
   private readonly focus = new Vector3();
   private readonly corner = new Vector3(); // of a label
-  private readonly finest: number; // pixels a CSS pixel
+  private readonly pace: Pace;
   private readonly observer = new ResizeObserver(() => this.fit());
   private size = { width: 0, height: 0 }; // kept, as asking for it costs a layout
   private generation = -1;
   private placed = false;
-  private period_ms = period_ms;
   private request = 0;
-  private steady = 0; // seconds in which the slow pace was kept
+  private stirred = true; // the camera or the canvas
+  private drawnCut = true;
+  private drawnFresh = -1;
   private drawn_ms = 0;
   private frames = 0;
+  private wantedAll = true; // none of the last second's frames was left out as nothing had changed
   private script_ms = 0; // of these frames
   private counted_ms = performance.now();
 
   constructor(private readonly session: Session, private readonly host: HTMLElement) {
     const slow = drawsInSoftware();
     this.renderer = new WebGLRenderer({ antialias: !slow && devicePixelRatio < 2 });
-    this.finest = slow ? 1 : Math.min(devicePixelRatio, 2);
-    this.renderer.setPixelRatio(this.finest);
+    this.pace = new Pace(slow ? 1 : Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.pace.ratio);
     host.prepend(this.renderer.domElement);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxDistance = 120;
+    this.controls.addEventListener("change", () => (this.stirred = true));
     this.scene.background = new Color("#0b1015");
     this.grid.rotation.x = Math.PI / 2;
     const sun = new DirectionalLight("#ffffff", 2);
@@ -74,7 +77,7 @@ export class SceneView {
   setView(kind: ViewKind): void {
     this.kind = kind;
     this.placed = false;
-    this.period_ms = period_ms;
+    this.stirred = true;
     this.controls.enableRotate = kind !== "top";
     this.host.dataset["view"] = kind;
   }
@@ -91,21 +94,39 @@ export class SceneView {
   private readonly loop = (): void => {
     this.request = requestAnimationFrame(this.loop);
     const now_ms = performance.now();
-    if (now_ms - this.drawn_ms < this.period_ms - 4 || this.size.width === 0) return;
-    this.drawn_ms = now_ms;
-    this.update();
-    this.renderer.render(this.scene, this.camera);
-    this.placeLabels();
+    if (this.size.width === 0 || !this.pace.isDue(now_ms)) return;
+    if (this.isOld(now_ms)) this.update();
+    this.moveCamera();
+    if (this.stirred) this.draw(now_ms);
+    else this.wantedAll = false;
     this.script_ms += performance.now() - now_ms;
-    if (this.placed && !this.host.dataset["first"]) this.host.dataset["first"] = now_ms.toFixed(0);
     this.count(now_ms);
   };
+
+  private isOld(now_ms: number): boolean {
+    const { fresh } = this.session;
+    if (fresh === this.drawnFresh && this.cut === this.drawnCut &&
+      now_ms - this.drawn_ms < longest_ms) return false;
+    this.drawnFresh = fresh;
+    this.drawnCut = this.cut;
+    return this.stirred = true;
+  }
+
+  private draw(now_ms: number): void {
+    this.stirred = false;
+    this.drawn_ms = now_ms;
+    this.frames++;
+    this.renderer.render(this.scene, this.camera);
+    this.placeLabels();
+    if (this.placed && !this.host.dataset["first"]) this.host.dataset["first"] = now_ms.toFixed(0);
+  }
 
   private fit(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     this.size = { width, height };
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height);
+    this.stirred = true;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
   }
@@ -122,8 +143,6 @@ export class SceneView {
       }
       view.update(state, vehicle, vehicle === chosen, this.cut ? cutHeight_m : Infinity);
     }
-    if (chosen) this.moveCamera(chosen);
-    this.controls.update();
   }
 
   private clear(generation: number): void {
@@ -134,7 +153,12 @@ export class SceneView {
     this.labels.clear();
   }
 
-  private moveCamera(vehicle: Vehicle): void {
+  private moveCamera(): void {
+    if (this.session.vehicle) this.follow(this.session.vehicle);
+    this.controls.update(); // tells if it moved
+  }
+
+  private follow(vehicle: Vehicle): void {
     const p = vehicle.latest["odometry"]?.message.pose.pose.position;
     if (!p) return;
     const target = vehicle.latest["target/state"]?.message;
@@ -185,27 +209,20 @@ export class SceneView {
   }
 
   private count(now_ms: number): void {
-    this.frames++;
-    if (now_ms - this.counted_ms < 1000) return;
-    this.host.dataset["fps"] = ((1000 * this.frames) / (now_ms - this.counted_ms)).toFixed(1);
-    this.host.dataset["triangles"] = `${this.renderer.info.render.triangles}`;
-    this.host.dataset["calls"] = `${this.renderer.info.render.calls}`;
-    this.host.dataset["script"] = (this.script_ms / this.frames).toFixed(2);
-    this.host.dataset["ratio"] = this.renderer.getPixelRatio().toFixed(2);
-    this.script_ms = 0;
-    this.adapt((1000 * this.frames) / (now_ms - this.counted_ms));
-    this.frames = 0;
+    const elapsed_ms = now_ms - this.counted_ms;
+    if (elapsed_ms < 1000) return;
+    const fps = (1000 * this.frames) / elapsed_ms;
+    const { triangles, calls } = this.renderer.info.render;
+    Object.assign(this.host.dataset, { fps: fps.toFixed(1), triangles, calls,
+      script: (this.script_ms / Math.max(1, this.frames)).toFixed(2),
+      ratio: this.renderer.getPixelRatio().toFixed(2) });
+    if (this.wantedAll) this.pace.adapt(fps);
+    if (this.pace.ratio !== this.renderer.getPixelRatio()) {
+      this.renderer.setPixelRatio(this.pace.ratio);
+      this.stirred = true;
+    }
+    this.wantedAll = true;
+    this.script_ms = this.frames = 0;
     this.counted_ms = now_ms;
-  }
-
-  // Coarser where the machine cannot keep up, finer again where it can.
-  private adapt(fps: number): void {
-    const ratio = this.renderer.getPixelRatio();
-    this.steady = this.period_ms === slowPeriod_ms && fps > 11 ? this.steady + 1 : 0;
-    if (fps < 10 && ratio <= 0.5) this.period_ms = slowPeriod_ms;
-    else if (this.steady >= 4) this.period_ms = period_ms; // perhaps it can now
-    const wanted = fps < 12 ? Math.max(0.5, 0.8 * ratio)
-      : fps > 27 ? Math.min(this.finest, 1.1 * ratio) : ratio;
-    if (Math.abs(wanted - ratio) > 0.01) this.renderer.setPixelRatio(wanted);
   }
 }

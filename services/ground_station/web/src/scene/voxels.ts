@@ -5,6 +5,7 @@ import {
 } from "three";
 
 import type { LocalMap, PointCloud2 } from "../data/messages.ts";
+import { renewAll } from "./shapes.ts";
 
 export interface Voxels { resolution_m: number; centers: Float32Array } // x, y, z triples
 
@@ -146,7 +147,7 @@ export class VoxelView {
     });
     this.mesh.count = found.length;
     extent.getBoundingSphere(this.mesh.boundingSphere!);
-    this.mesh.instanceMatrix.needsUpdate = true;
-    this.mesh.instanceColor!.needsUpdate = true;
+    renewAll(this.mesh.instanceMatrix, found.length);
+    renewAll(this.mesh.instanceColor!, found.length);
   }
 }

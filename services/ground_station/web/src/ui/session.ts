@@ -30,6 +30,7 @@ export class Session {
   replay: Replay | null = null;
   chosen = ""; // vehicle
   span_s = 30; // of the plots
+  fresh = 0; // grows when there is something new to draw
   generation = 0; // of the shown state: the scene and the plots begin anew
   message = { text: "", bad: false }; // the answer to the last order, for some seconds
   private sorted: { of: unknown; list: Vehicle[] } = { of: null, list: [] };
@@ -115,15 +116,19 @@ export class Session {
     return () => this.listeners.delete(listener);
   }
   changed(): void {
+    this.fresh++;
     this.listeners.forEach((listener) => listener());
   }
 
   private feedLive(): void {
-    feed(this.live, this.link.take(), this.link.now_s());
+    const samples = this.link.take();
+    if (samples.length > 0 && !this.replay) this.fresh++;
+    feed(this.live, samples, this.link.now_s());
   }
   private feedReplay(replay: Replay): void {
     const { restart, now_s, samples } = replay.take();
     if (restart) this.beginAnew();
+    if (restart || samples.length > 0) this.fresh++;
     feed(this.replayed, samples, now_s);
   }
 
