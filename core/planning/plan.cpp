@@ -11,7 +11,8 @@ namespace foretrack {
 namespace {
 
 constexpr double kRetrySlowdown = 1.4;  // of the first guess's times in the second attempt
-constexpr double kFirm = 10.0;          // of the hard limits' weights in the second attempt
+constexpr double kFirm = 10.0;          // of the hard limits' weights from the second attempt on
+constexpr double kSoft = 50.0;          // by which sight and distance weigh less in the third
 constexpr double kStands_m_s = 0.02;
 constexpr double kDistanceStep_s = 0.1;
 
@@ -70,7 +71,8 @@ class Replan {
     return reason != PlanReason::kOk && !clear ? PlanReason::kEmptyCorridor : reason;
   }
 
-  // The second attempt is slower and firmer. The result is the reason why the first one failed.
+  // The second attempt is slower and firmer; the third hardly cares for sight and distance. The
+  // result is the reason why the first one failed.
   PlanReason optimize() {
     const PlanReason reason = attempt(params_.optimizer);
     if (reason == PlanReason::kOk) return reason;
@@ -79,10 +81,15 @@ class Replan {
     careful.corridor_weight *= kFirm;
     careful.speed_weight *= kFirm;
     careful.acceleration_weight *= kFirm;
-    const PlanReason second = attempt(careful);
-    if (second == PlanReason::kOk || (second == PlanReason::kTooNearTarget && retreats()))
-      return PlanReason::kOk;
-    return reason;
+    if (may_be_flown(attempt(careful))) return PlanReason::kOk;
+    careful.visibility_weight /= kSoft;
+    careful.next_visibility_weight /= kSoft;
+    careful.distance_weight /= kSoft;
+    return may_be_flown(attempt(careful)) ? PlanReason::kOk : reason;
+  }
+
+  bool may_be_flown(PlanReason reason) {
+    return reason == PlanReason::kOk || (reason == PlanReason::kTooNearTarget && retreats());
   }
 
   // The target comes too near whatever is planned: rather away from it than on as before.
