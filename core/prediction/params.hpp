@@ -49,6 +49,8 @@ struct PredictionParams {
   double velocity_noise_m_s = 0.25;
   double acceleration_goes_on_s = 0.2;
   double braking_keeps = 0.3;
+  double shoulder_lead_s = 0.3;
+  double turn_acceleration_m_s2 = 3.0;
   // Search
   int max_expansions = 150;
   double max_cost = 20.0;

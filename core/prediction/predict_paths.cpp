@@ -77,12 +77,37 @@ class PathWriter {
   Mat4 covariance_;
 };
 
-// How a path begins: who brakes or bends will soon be slower, or on another course, than now.
+// Who brakes or bends will soon be slower, or on another course, than now.
 PlanarState soon(PlanarState now, const Vec2& acceleration_m_s2, const PredictionParams& params) {
   const Vec2 later_m_s = now.velocity_m_s + params.acceleration_goes_on_s * acceleration_m_s2;
   const bool goes_on = later_m_s.dot(now.velocity_m_s) > 0.0;
   now.velocity_m_s = goes_on ? later_m_s : Vec2(params.braking_keeps * now.velocity_m_s);
   return now;
+}
+
+// Who will walk where the chest points in a moment cannot be faster now than what the acceleration
+// until then can turn: shoulders tell of braking before a filter has noticed it.
+PlanarState slowed_to_turn(PlanarState now, double body_turn_rad, const PredictionParams& params) {
+  const double sine = std::sin(std::clamp(body_turn_rad, 0.0, 0.5 * kPi));
+  const double most_m_s = params.shoulder_lead_s * params.turn_acceleration_m_s2;
+  const double across_m_s = now.velocity_m_s.norm() * sine;
+  if (most_m_s > 0.0 && across_m_s > most_m_s) now.velocity_m_s *= most_m_s / across_m_s;
+  return now;
+}
+
+// How a path begins. Smoothing would lag where the target does not just go on.
+PlanarState start_of(Intention intention, const MotionCues& motion,
+                     const PredictionParams& params) {
+  if (intention == Intention::kForward) {
+    // In a steady walk acceleration is noise; without the chest nothing tells them apart.
+    const double trusted =
+        motion.body_known ? std::clamp((motion.manoeuvre - 0.3) / 0.3, 0.0, 1.0) : 0.0;
+    return soon(motion.state, trusted * motion.acceleration_m_s2, params);
+  }
+  const PlanarState start = soon(motion.measured, motion.acceleration_m_s2, params);
+  if (!is_turn(intention)) return start;
+  const double side = intention == Intention::kTurnLeft ? 1.0 : -1.0;
+  return slowed_to_turn(start, side * motion.body_turn_rad, params);
 }
 
 void add_blocked_path(PredictionState& state, const PathStart& start,
@@ -163,11 +188,7 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
     if (is_turn(intention) && !motion.walking) continue;  // who stands has no path to bend
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
-    const bool goes_on = intention == Intention::kForward;  // else smoothing would lag
-    // In a steady walk acceleration is noise.
-    const double trusted = goes_on ? std::clamp((motion.manoeuvre - 0.3) / 0.3, 0.0, 1.0) : 1.0;
-    start.state =
-        soon(goes_on ? motion.state : motion.measured, trusted * motion.acceleration_m_s2, params);
+    start.state = start_of(intention, motion, params);
     const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
     if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;
