@@ -1,8 +1,10 @@
 // From an observation on the bus to the first setpoint that it caused, with every service running:
 // wall time of each stage's answer after the observation was delivered, and what the vehicle's
-// process costs. Usage: bench_dds_latency [known|depth [seconds [scenario]]]
+// process costs. Usage: bench_dds_latency [known|depth [seconds [scenario [file]]]]; every single
+// delay is written to the file.
 #include <fmt/format.h>
 
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,7 +39,8 @@ double cpu_s(const Launcher& launcher) {
   return usage ? usage->cpu_s : 0.0;
 }
 
-int measure(const std::string& map, double duration_s, const std::string& scenario) {
+int measure(const std::string& map, double duration_s, const std::string& scenario,
+            const std::string& file) {
   const FreeDomain domain;
   fmt::print("domain {}\n", domain.id());  // for who wants to listen too
   std::fflush(stdout);
@@ -102,6 +105,8 @@ int measure(const std::string& map, double duration_s, const std::string& scenar
   fmt::print("{} map, {} s; ms after the observation's delivery\n", map, duration_s);
   fmt::print("{}", StageDelay::head());
   for (const StageDelay* stage : stages.all()) fmt::print("{}", stage->row());
+  if (std::ofstream out(file); out)
+    for (const StageDelay* stage : stages.all()) out << stage->rows();
   fmt::print("onboard: {:.1f} % of a core, {:.0f} MB\n", cpu,
              usage ? 1e-6 * usage->pss_bytes : 0.0);
   for (const auto& [mode, count] : modes) fmt::print("gate mode {}: {} reports\n", mode, count);
@@ -115,5 +120,5 @@ int measure(const std::string& map, double duration_s, const std::string& scenar
 int main(int argc, char** argv) {
   const std::string map = argc > 1 ? argv[1] : "depth";
   return foretrack::measure(map, argc > 2 ? std::stod(argv[2]) : 30.0,
-                            argc > 3 ? argv[3] : "t_intersection");
+                            argc > 3 ? argv[3] : "t_intersection", argc > 4 ? argv[4] : "");
 }

@@ -33,10 +33,21 @@ class StageDelay {
   void answered(double stamp_s, double now_s) {
     while (!waiting_.empty() && waiting_.front().stamp_s <= stamp_s + 1e-6) {
       delays_ms_.push_back(1e3 * (now_s - waiting_.front().at_s));
+      caused_s_.push_back(waiting_.front().at_s);
       waiting_.pop_front();
     }
   }
-  void forget() { delays_ms_.clear(); }
+  void forget() {
+    delays_ms_.clear();
+    caused_s_.clear();
+  }
+  /// A line each: name, when its cause came, milliseconds.
+  std::string rows() const {
+    std::string text;
+    for (std::size_t i = 0; i < delays_ms_.size(); ++i)
+      text += fmt::format("{} {:.4f} {:.4f}\n", name_, caused_s_[i], delays_ms_[i]);
+    return text;
+  }
   double median_ms() const { return quantile_of(delays_ms_, 0.5); }
   std::string row() const {
     const auto at = [this](double share) { return quantile_of(delays_ms_, share); };
@@ -54,7 +65,7 @@ class StageDelay {
   };
   std::string name_;
   std::deque<Waiting> waiting_;
-  std::vector<double> delays_ms_;
+  std::vector<double> delays_ms_, caused_s_;
 };
 
 }  // namespace foretrack

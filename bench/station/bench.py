@@ -1,24 +1,28 @@
 #!/usr/bin/env python3
-"""bench.py [BIN [ROUNDS [SECONDS [CLIENTS]]]]: what clients of the station cost the services on board, and how old
-samples are for them.
+"""bench.py [BIN [SECONDS [BLOCK_S [CLIENTS [FOLDER]]]]]: what clients of the station cost the services on board.
 
-Flies on this machine, in turns without clients and with so many that subscribe to everything; the station runs in both.
-Prints a line for each flight: wall time from an observation's delivery to the plan and to the setpoint that it caused
-(bench_dds_latency), the station's processor and memory, the clients' ages and rates. At the end the ratios of each pair.
-The clients run at a lower priority: they stand for other machines.
+One flight with the station beside it. So many clients are connected throughout; in turns of BLOCK_S they subscribe to
+everything and to nothing, so that what else changes on the machine meets both alike. Of the wall time from an
+observation's delivery to the plan and to the setpoint that it caused (bench_dds_latency) it prints the quantiles with
+and without, and the ratio with the interval that holds 95 % of 4000 resamplings of pairs of neighbouring blocks.
+FOLDER keeps each block's delays: `bench.py evaluate FOLDER...` puts several runs together. The clients run at a lower
+priority: they stand for other machines.
 """
 import json
 import os
+import random
 import re
-import statistics
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LOAD = ROOT / "services/ground_station/web/probe/load.mjs"
 WARM_UP_S = 5  # as bench_dds_latency has it
+SETTLE_S = 0.5  # of each block
+STAGES = ("plan", "setpoint")
 
 
 def cpu_s(pid):
@@ -37,46 +41,78 @@ def start_station(binaries, folder, domain):
     return station, re.search(r"http://(.*?)/", station.stdout.readline())[1]
 
 
-def fly(binaries, seconds, clients, folder):
-    flight = subprocess.Popen([binaries / "bench_dds_latency", "depth", str(seconds)], stdout=subprocess.PIPE, text=True)
+def alternate(load, station, seconds, block_s):
+    """The blocks: (with clients, from, to, share of a core that the station took)."""
+    blocks = []
+    for index in range(int(seconds / block_s)):
+        on = index % 2 == 1
+        load.stdin.write("on\n" if on else "off\n")
+        load.stdin.flush()
+        time.sleep(SETTLE_S)
+        begin_s, before = time.monotonic(), cpu_s(station.pid)
+        time.sleep(block_s - SETTLE_S)
+        end_s = time.monotonic()
+        blocks.append((on, begin_s, end_s, (cpu_s(station.pid) - before) / (end_s - begin_s)))
+    return blocks
+
+
+def fly(binaries, seconds, block_s, clients, folder):
+    flight = subprocess.Popen([binaries / "bench_dds_latency", "depth", str(seconds), "t_intersection",
+                               f"{folder}/delays"], stdout=subprocess.PIPE, text=True)
     domain = re.search(r"domain (\d+)", flight.stdout.readline())[1]
     station, address = start_station(binaries, folder, domain)
-    load = None
-    if clients:
-        load = subprocess.Popen(["nice", "-n", "5", "node", LOAD, f"ws://{address}/ws", str(clients),
-                                 str(seconds + WARM_UP_S - 6)], stdout=subprocess.PIPE, text=True)
-    before = cpu_s(station.pid)
-    text = flight.stdout.read()
-    result = {"clients": clients, "station_cpu_percent": round(100 * (cpu_s(station.pid) - before) / (seconds + WARM_UP_S), 1),
-              "station_mb": round(memory_mb(station.pid))}
+    load = subprocess.Popen(["nice", "-n", "5", "node", LOAD, f"ws://{address}/ws", str(clients), "-"],
+                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    time.sleep(WARM_UP_S)
+    blocks = alternate(load, station, seconds - 1, block_s)
+    flight.communicate()
+    mean = lambda on: sum(b[3] for b in blocks if b[0] == on) / sum(b[0] == on for b in blocks)
+    report = {"station_mb": round(memory_mb(station.pid)),
+              "station_cpu_percent": {"without": round(100 * mean(False), 1), "with": round(100 * mean(True), 1)},
+              "load": json.loads(load.communicate()[0])}
     station.terminate()
     station.wait()
-    for stage in ("plan", "setpoint"):
-        row = re.search(rf"^{stage} +\d+ +(\S+) +(\S+) +(\S+)", text, re.M)
-        result[stage] = dict(zip(("p50", "p95", "p99"), map(float, row.groups())))
-    if load:
-        result["load"] = json.loads(load.stdout.read())
-    return result
+    delays = [line.split() for line in Path(folder, "delays").read_text().splitlines()]
+    result = [{"on": on, **{stage: [float(ms) for name, at_s, ms in delays
+                                    if name == stage and begin_s <= float(at_s) < end_s] for stage in STAGES}}
+              for on, begin_s, end_s, _ in blocks]
+    Path(folder, "blocks.json").write_text(json.dumps(result))
+    return report
+
+
+def quantile(values, share):
+    return sorted(values)[int(share * (len(values) - 1))]
+
+
+def evaluate(folders):
+    pairs = []
+    for folder in folders:
+        blocks = json.loads(Path(folder, "blocks.json").read_text())
+        pairs += [(blocks[i], blocks[i + 1]) for i in range(0, len(blocks) - 1, 2)]
+    random.seed(1)
+    for stage in STAGES:
+        for share in (0.5, 0.95, 0.99):
+            def both(chosen):
+                without, with_clients = ([ms for pair in chosen for ms in pair[i][stage]] for i in (0, 1))
+                return quantile(without, share), quantile(with_clients, share)
+            ratios = sorted(b / a for a, b in (both(random.choices(pairs, k=len(pairs))) for _ in range(4000)))
+            without, with_clients = both(pairs)
+            print(f"{stage} p{round(100 * share)}: {without:.2f} ms without, {with_clients:.2f} ms with clients, ratio "
+                  f"{with_clients / without:.3f} ({ratios[100]:.3f} to {ratios[-101]:.3f}), {len(pairs)} pairs")
 
 
 def main():
     arguments = sys.argv[1:]
+    if arguments[:1] == ["evaluate"]:
+        return evaluate(arguments[1:])
     binaries = Path(arguments[0] if arguments else ROOT / "build/bin").resolve()
-    rounds, seconds, clients = (int(arguments[i]) if len(arguments) > i else default
-                                for i, default in ((1, 5), (2, 30), (3, 20)))
-    ratios = {}
-    for _ in range(rounds):
-        pair = []
-        for count in (0, clients):
-            with tempfile.TemporaryDirectory() as folder:
-                pair.append(fly(binaries, seconds, count, folder))
-            print(json.dumps(pair[-1]), flush=True)
-        for stage in ("plan", "setpoint"):
-            for quantile in ("p50", "p99"):
-                ratios.setdefault(f"{stage} {quantile}", []).append(pair[1][stage][quantile] / pair[0][stage][quantile])
-    for name, values in ratios.items():
-        print(f"{name}: with clients / without: median {statistics.median(values):.3f}, "
-              f"{min(values):.3f} to {max(values):.3f}")
+    seconds, block_s, clients = (int(arguments[i]) if len(arguments) > i else default
+                                 for i, default in ((1, 200), (2, 5), (3, 20)))
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(arguments[4] if len(arguments) > 4 else temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        print(json.dumps(fly(binaries, seconds, block_s, clients, folder)), flush=True)
+        evaluate([folder])
 
 
 if __name__ == "__main__":

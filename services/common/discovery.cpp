@@ -25,7 +25,8 @@ ForeignEndpoint describe(const Info& info, bool writes) {
           writes,
           "",
           info.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS,
-          info.m_qos.m_durability.kind >= dds::TRANSIENT_LOCAL_DURABILITY_QOS};
+          info.m_qos.m_durability.kind >= dds::TRANSIENT_LOCAL_DURABILITY_QOS,
+          peer_of(info.guid())};
 }
 
 // 12 bytes of prefix, 4 of entity id, zeros to the end.

@@ -23,6 +23,7 @@ struct ForeignEndpoint {
   std::string why;
   bool reliable = false;  // offers or asks for it
   bool latched = false;   // transient local or more
+  PeerId peer{};          // whose it is
 };
 
 /// Whose node list we appear in: the ids in it have 24 bytes, or 16 from Iron on.

@@ -186,8 +186,16 @@ Status Station::status() {
   return status;
 }
 
+foxglove::Graph graph_of(const std::vector<TopicReport>& topics) {
+  foxglove::Graph graph;
+  for (const auto& t : topics) graph[t.topic] = {t.publishers, t.subscribers};
+  return graph;
+}
+
 void Station::publish_status() {
-  const auto text = to_json_text(status());
+  const auto now = status();
+  hub_.set_graph(graph_of(now.topics));
+  const auto text = to_json_text(now);
   const std::vector<Sample> samples{
       {0, now_ns(), std::make_shared<const Bytes>(text.begin(), text.end())}};
   recorder_.samples(samples);

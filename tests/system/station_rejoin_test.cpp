@@ -40,7 +40,7 @@ TEST(RejoinPart, DISABLED_Vehicle) {
   Node node(options);
   std::vector<std::unique_ptr<RawWriter>> writers;
   for (int step = 0;; ++step) {
-    if (step % 4 == 0 && writers.size() < kTopics)
+    if (step % 6 == 0 && writers.size() < kTopics)
       writers.push_back(std::make_unique<RawWriter>(
           node,
           RawTopic{"rt/uav1/grown" + std::to_string(writers.size()), "some::msg::dds_::T_", false},
@@ -133,7 +133,7 @@ TEST_F(Rejoin, AStationThatVehiclesForgotHearsAndOrdersAgain) {
   EXPECT_EQ(station.status()["recording"]["active"], true);
 }
 
-TEST_F(Rejoin, AVehicleThatPausesOrEndsIsNoReasonToJoinAnew) {
+TEST_F(Rejoin, AVehicleThatPausesIsHeardAgainAndOneThatEndsIsNoReasonToJoinAnew) {
   Station station(on_domain({"station"}), folder_.path);
   Program growing(growing_vehicle(share()), folder_.path / "growing", "/usr/bin/env");
   ASSERT_TRUE(eventually([&] { return has_grown(station); }, 60.0));
@@ -142,6 +142,8 @@ TEST_F(Rejoin, AVehicleThatPausesOrEndsIsNoReasonToJoinAnew) {
   pause(growing);
   EXPECT_TRUE(eventually([&] { return missing(station, before).empty(); }, 20.0))
       << missing(station, before) << station.program().output();
+  const int before_its_end = rejoins(station);
+  EXPECT_LE(before_its_end, 1) << "it depends on who forgot whom";
   growing.send(SIGKILL);
   const auto ended = [&] {
     const auto status = station.status();
@@ -150,7 +152,7 @@ TEST_F(Rejoin, AVehicleThatPausesOrEndsIsNoReasonToJoinAnew) {
     return true;
   };
   EXPECT_TRUE(eventually(ended, 30.0)) << "10 s after its writers its channels close";
-  EXPECT_EQ(rejoins(station), 0) << station.program().output();
+  EXPECT_EQ(rejoins(station), before_its_end) << station.program().output();
 }
 
 }  // namespace

@@ -57,6 +57,9 @@ TEST_F(StationOnAFlight, OfficialClientsDecodeEveryTopicUnderBothSubprotocols) {
     const auto& truth = topics["/uav1/simulator/vehicle"]["last"];
     for (const auto* axis : {"/pose/pose/position/x", "/pose/pose/position/y"})
       EXPECT_NEAR(number(odometry, axis), number(truth, axis), 0.5);
+    EXPECT_EQ(report["publishers"]["/uav1/plan/trajectory"], Json({"uav1/planning"}));
+    const auto& hear = report["subscribers"]["/uav1/plan/trajectory"];
+    EXPECT_NE(std::find(hear.begin(), hear.end(), "uav1/safety_gate"), hear.end()) << hear;
     double sum = 0.0;
     for (const auto& intention : topics["/uav1/target/intention"]["last"]["intentions"])
       sum += intention["probability"].get<double>();

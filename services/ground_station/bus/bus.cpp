@@ -41,6 +41,15 @@ Channel channel_of(const std::string& wire, const SurveyedTopic& found, std::uin
   return c;
 }
 
+std::vector<std::string> names_of(const std::set<PeerId>& peers,
+                                  const std::map<PeerId, std::string>& names) {
+  std::vector<std::string> result;
+  for (const auto& peer : peers)
+    if (const auto it = names.find(peer); it != names.end()) result.push_back(it->second);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 // Goes on while the machine is in standby, unlike the steady clock.
 double boot_s() {
   timespec t{};
@@ -146,6 +155,7 @@ void Bus::look(double now_s) {
     discoveries_ = news;
     for (auto& [name, topic] : topics_) {  // who is still there is found again
       topic.found.writers = topic.found.readers = 0;
+      topic.found.writing.clear(), topic.found.reading.clear();
       topic.found.qos_mismatch = false;
       topic.found.foreign_type.clear();
     }
@@ -193,6 +203,8 @@ void Bus::take(double now_s) {
 void Bus::publish(double now_s) {
   std::vector<TopicReport> topics;
   std::map<std::string, double> vehicles;
+  std::map<PeerId, std::string> names;
+  for (const auto& peer : node_->peers()) names[peer.id] = peer.name;
   for (const auto& [name, t] : topics_) {
     const auto& f = t.found;
     if (f.writers + f.readers == 0 && f.foreign_type.empty() && !t.open) continue;
@@ -204,7 +216,8 @@ void Bus::publish(double now_s) {
     topics.push_back({t.open ? t.channel.id : 0, tool_name(name), readable_type(t.found.type),
                       vehicle, t.found.writers, t.found.readers, t.rate_hz, t.bytes_s,
                       t.last_s < 0.0 ? -1.0 : now_s - t.last_s, t.resting, t.found.qos_mismatch,
-                      t.found.foreign_type});
+                      t.found.foreign_type, names_of(f.writing, names),
+                      names_of(f.reading, names)});
   }
   const std::lock_guard lock(mutex_);
   topic_reports_ = std::move(topics);

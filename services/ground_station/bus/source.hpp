@@ -21,6 +21,7 @@ struct TopicReport {
   bool resting = false;  // large, and nobody wants it: rates are the last known
   bool qos_mismatch = false;
   std::string foreign_type;
+  std::vector<std::string> publishers, subscribers;  // names of participants
 };
 
 struct VehicleReport {

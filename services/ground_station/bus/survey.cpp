@@ -53,6 +53,7 @@ SurveyedTopic survey_one(const std::string& name, const Endpoints& endpoints) {
       topic.writers += e->writes;
     }
     topic.readers += !e->writes;
+    (e->writes ? topic.writing : topic.reading).insert(e->peer);
   }
   topic.qos_mismatch = any_mismatch(endpoints);
   topic.profile = profile_of(topic.type, endpoints);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace foretrack::station {
 struct SurveyedTopic {
   std::string type;  // of the contract, else of its first writer
   bool keyed = false;
-  int writers = 0;                 // of that type
-  int readers = 0;                 // of any type
+  int writers = 0;  // of that type
+  int readers = 0;  // of any type
+  std::set<PeerId> writing, reading;
   std::string foreign_type;        // that somebody else uses on this topic; empty: none
   bool qos_mismatch = false;       // some reader asks for more than some writer offers
   const char* profile = "sensor";  // with which a reader here hears all its writers

@@ -89,6 +89,8 @@ ClientMessage parse_text(std::string_view text) {
   const auto& name = op->get_ref<const std::string&>();
   if (name == "subscribe") return parse_subscribe(message);
   if (name == "unsubscribe") return parse_unsubscribe(message);
+  if (name == "subscribeConnectionGraph") return WantGraph{true};
+  if (name == "unsubscribeConnectionGraph") return WantGraph{false};
   return NotOffered{name.substr(0, 64)};
 }
 
@@ -101,7 +103,7 @@ std::string server_info(const std::string& name, const std::string& session_id,
                         const std::string& version) {
   return dump({{"op", "serverInfo"},
                {"name", name},
-               {"capabilities", Json::array()},
+               {"capabilities", Json::array({"connectionGraph"})},
                {"metadata", {{"version", version}}},
                {"sessionId", session_id}});
 }
@@ -122,6 +124,29 @@ std::string advertise(const std::vector<Channel>& channels) {
 
 std::string unadvertise(const std::vector<std::uint32_t>& channels) {
   return dump({{"op", "unadvertise"}, {"channelIds", channels}});
+}
+
+// A topic is listed on the side on which it changed, with all of that side.
+std::string graph_update(const Graph& before, const Graph& now) {
+  Json published = Json::array(), subscribed = Json::array(), removed = Json::array();
+  const Ends none;
+  for (const auto& [topic, ends] : now) {
+    const auto it = before.find(topic);
+    const auto& old = it == before.end() ? none : it->second;
+    if (ends.publishers != old.publishers)
+      published.push_back({{"name", topic}, {"publisherIds", ends.publishers}});
+    if (ends.subscribers != old.subscribers)
+      subscribed.push_back({{"name", topic}, {"subscriberIds", ends.subscribers}});
+  }
+  for (const auto& [topic, ends] : before)
+    if (!now.contains(topic)) removed.push_back(topic);
+  if (published.empty() && subscribed.empty() && removed.empty()) return {};
+  return dump({{"op", "connectionGraphUpdate"},
+               {"publishedTopics", std::move(published)},
+               {"subscribedTopics", std::move(subscribed)},
+               {"advertisedServices", Json::array()},
+               {"removedTopics", std::move(removed)},
+               {"removedServices", Json::array()}});
 }
 
 std::string status(Level level, const std::string& message) {

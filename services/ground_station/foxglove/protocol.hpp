@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,10 @@ struct Subscribe {
 struct Unsubscribe {
   std::vector<std::uint32_t> ids;
 };
+/// Whether it wants to be told who publishes and subscribes.
+struct WantGraph {
+  bool wanted = false;
+};
 /// Something of the protocol that this server does not offer.
 struct NotOffered {
   std::string op;
@@ -34,7 +39,7 @@ struct NotOffered {
 struct Malformed {
   std::string why;
 };
-using ClientMessage = std::variant<Subscribe, Unsubscribe, NotOffered, Malformed>;
+using ClientMessage = std::variant<Subscribe, Unsubscribe, WantGraph, NotOffered, Malformed>;
 
 /// Never throws. The text may be anything.
 ClientMessage parse_text(std::string_view text);
@@ -48,6 +53,15 @@ std::string server_info(const std::string& name, const std::string& session_id,
                         const std::string& version);
 std::string advertise(const std::vector<Channel>& channels);
 std::string unadvertise(const std::vector<std::uint32_t>& channels);
+/// Who publishes and who subscribes, by topic.
+struct Ends {
+  std::vector<std::string> publishers, subscribers;
+  bool operator==(const Ends&) const = default;
+};
+using Graph = std::map<std::string, Ends>;
+/// What changed between two graphs; empty: nothing.
+std::string graph_update(const Graph& before, const Graph& now);
+
 std::string status(Level level, const std::string& message);
 
 /// Comes before a sample's bytes in a binary message.

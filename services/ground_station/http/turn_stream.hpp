@@ -34,7 +34,7 @@ class TurnStream {
     return asio::async_initiate<Handler, void(beast::error_code, std::size_t)>(
         [this](auto final_handler, const auto& to_write) {
           wait_for_turn([this, to_write, then = std::move(final_handler)]() mutable {
-            asio::async_write(next_, to_write, Turn{*this, std::move(then)});
+            asio::async_write(next_, to_write, Turn<decltype(then)>{*this, std::move(then)});
           });
         },
         handler, buffers);

@@ -93,6 +93,12 @@ void Client::handle(const foxglove::ClientMessage& message, double now_s) {
       by_channel_.erase(it->second);
       by_subscription_.erase(it);
     }
+  } else if (const auto* graph = std::get_if<foxglove::WantGraph>(&message)) {
+    const bool is_new = graph->wanted && !wants_graph_;
+    wants_graph_ = graph->wanted;
+    if (auto all = foxglove::graph_update({}, hub_.graph_); is_new && !all.empty())
+      tell(std::move(all));
+    return;
   } else if (const auto* other = std::get_if<foxglove::NotOffered>(&message)) {
     return tell(status(Level::kWarning, "this server does not offer '" + other->op + "'"));
   } else {

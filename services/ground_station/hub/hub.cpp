@@ -63,6 +63,15 @@ void Hub::deliver(const std::vector<Sample>& samples, double now_s) {
   for (const auto& [id, client] : clients_) client->flush();
 }
 
+void Hub::set_graph(foxglove::Graph graph) {
+  const auto news = foxglove::graph_update(graph_, graph);
+  graph_ = std::move(graph);
+  if (news.empty()) return;
+  const auto text = std::make_shared<const std::string>(news);
+  for (const auto& [id, client] : clients_)
+    if (client->wants_graph_) client->tell(text);
+}
+
 std::shared_ptr<Client> Hub::join(std::string address, Link link, double now_s) {
   const auto id = next_client_++;
   auto client = std::make_shared<Client>(*this, id, std::move(address), std::move(link), limits_);

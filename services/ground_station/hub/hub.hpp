@@ -75,6 +75,7 @@ class Client {
   double took_s_ = 0.0;     // when it last took something, or nothing waited
   double allowance_ = 0.0;  // messages that it may still send
   double spoke_s_ = 0.0;
+  bool wants_graph_ = false;
   bool closed_ = false;
 };
 
@@ -86,6 +87,8 @@ class Hub {
   void open(const Channel& channel);
   void close(std::uint32_t channel);
   void deliver(const std::vector<Sample>& samples, double now_s);
+  /// Tells what changed to those clients that want to know.
+  void set_graph(foxglove::Graph graph);
 
   std::shared_ptr<Client> join(std::string address, Link link, double now_s);
   void leave(const Client& client);
@@ -118,6 +121,7 @@ class Hub {
   std::map<std::uint32_t, Channel> channels_;
   std::map<std::uint32_t, Flow> flows_;
   std::map<std::uint64_t, std::shared_ptr<Client>> clients_;
+  foxglove::Graph graph_;
   std::uint64_t next_client_ = 1;
 };
 

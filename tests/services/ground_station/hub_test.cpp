@@ -51,6 +51,31 @@ TEST(Hub, TellsANewClientOfItselfAndAllChannels) {
   EXPECT_EQ(Json::parse(*frames[1].text)["channels"].size(), 2u);
 }
 
+TEST(Hub, TellsWhoPublishesAndSubscribesToThoseWhoAskAndThenWhatChanged) {
+  Hub hub("station", "1", {});
+  hub.set_graph({{"/a", {{"planning"}, {"gate"}}}, {"/b", {{"mapping"}, {}}}});
+  Reader asks(hub, 0.0), does_not(hub, 0.0);
+  asks.client->on_text(R"({"op": "subscribeConnectionGraph"})", 0.0);
+  auto frames = asks.take_all(0.0);
+  ASSERT_EQ(frames.size(), 3u);
+  const auto all = Json::parse(*frames[2].text);
+  EXPECT_EQ(all["op"], "connectionGraphUpdate");
+  EXPECT_EQ(all["publishedTopics"].size(), 2u);
+  EXPECT_EQ(all["subscribedTopics"], Json::parse(R"([{"name": "/a", "subscriberIds": ["gate"]}])"));
+  hub.set_graph({{"/a", {{}, {"gate"}}}});
+  frames = asks.take_all(0.0);
+  ASSERT_EQ(frames.size(), 1u);
+  const auto news = Json::parse(*frames[0].text);
+  EXPECT_EQ(news["publishedTopics"], Json::parse(R"([{"name": "/a", "publisherIds": []}])"));
+  EXPECT_EQ(news["subscribedTopics"], Json::array());
+  EXPECT_EQ(news["removedTopics"], Json({"/b"}));
+  hub.set_graph({{"/a", {{}, {"gate"}}}});
+  asks.client->on_text(R"({"op": "unsubscribeConnectionGraph"})", 0.0);
+  hub.set_graph({});
+  EXPECT_TRUE(asks.take_all(0.0).empty());
+  EXPECT_EQ(does_not.take_all(0.0).size(), 2u);
+}
+
 TEST(Hub, SendsAClientWhatItSubscribedToAndNothingElse) {
   Hub hub("station", "1", {});
   hub.open(channel(1));

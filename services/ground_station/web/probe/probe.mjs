@@ -7,13 +7,19 @@ import { decoder } from "./decode.mjs";
 
 const { FoxgloveClient } = foxglove;
 const [url, seconds = "3", subprotocol = FoxgloveClient.SUPPORTED_SUBPROTOCOL] = process.argv.slice(2);
-const report = { server: null, topics: {}, status: [], errors: [] };
+const report = { server: null, topics: {}, status: [], errors: [], publishers: {}, subscribers: {} };
 const bySubscription = new Map();
 
 const socket = new WebSocket(url, [subprotocol]);
 const client = new FoxgloveClient({ ws: socket });
 client.on("error", (error) => report.errors.push(String(error)));
 client.on("serverInfo", (info) => (report.server = info));
+client.on("open", () => client.subscribeConnectionGraph());
+client.on("connectionGraphUpdate", ({ publishedTopics, subscribedTopics, removedTopics }) => {
+  for (const { name, publisherIds } of publishedTopics) report.publishers[name] = publisherIds;
+  for (const { name, subscriberIds } of subscribedTopics) report.subscribers[name] = subscriberIds;
+  for (const name of removedTopics) delete report.publishers[name], delete report.subscribers[name];
+});
 client.on("status", (status) => report.status.push(status.message));
 client.on("advertise", (channels) => {
   for (const channel of channels) {

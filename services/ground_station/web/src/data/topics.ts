@@ -43,13 +43,15 @@ export function readingOf(topic: string): Reading | undefined {
   return readings[partsOf(topic).name];
 }
 
-/** The autopilot's namespace px4_3 belongs to the vehicle whose name ends in 3, or the only one. */
+/**
+ * The autopilot's namespace px4_3 belongs to the vehicle whose name ends in 3, none to the one whose
+ * name ends in 1; any to the only vehicle.
+ */
 export function ownerOf(namespace: string, vehicles: string[]): string | undefined {
   if (vehicles.includes(namespace)) return namespace;
   const isAutopilot = namespace === "" || /^px4_\d+$/.test(namespace);
   if (!isAutopilot) return undefined;
   if (vehicles.length === 1) return vehicles[0];
-  const number = /(\d+)$/.exec(namespace)?.[1];
-  return number === undefined ? undefined
-    : vehicles.find((name) => /(\d+)$/.exec(name)?.[1] === number);
+  const number = /(\d+)$/.exec(namespace)?.[1] ?? "1";
+  return vehicles.find((name) => /(\d+)$/.exec(name)?.[1] === number);
 }

@@ -12,7 +12,7 @@ function Services({ session }: { session: Session }) {
   return (
     <table aria-label="services">
       <thead><tr><th>service</th><th>state</th><th>processor</th><th>memory</th><th>work/loop</th>
-        <th>age</th><th>error</th></tr></thead>
+        <th>age</th><th>last error</th></tr></thead>
       <tbody>{services.map(([name, heard]) => {
         const { message: h } = heard;
         const silent = age_s(state, heard) > silent_s;

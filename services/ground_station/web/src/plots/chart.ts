@@ -21,12 +21,14 @@ export interface ChartOptions {
   digits: number;
   range: (low: number, high: number) => [number, number];
   underlay?: (plot: uPlot) => void; // drawn below the lines
+  steps?: number[]; // between lines of the grid
   rows?: string[]; // names of rows 0, 1, … instead of numbers
   weight: number; // of the height
 }
 
 const axisColor = "#9fb0c0";
 const gridColor = "#26313d";
+const halfLabel_px = 22; // of a time; it must not be cut off
 const font = "11px system-ui, sans-serif";
 
 export class Chart {
@@ -97,13 +99,15 @@ export class Chart {
     return { show: true, size: this.last ? 22 : 0, stroke: axisColor, font, space: 70,
       grid: { stroke: gridColor, width: 1 }, ticks: { show: false },
       incrs: [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 3600, 86400],
-      values: (_u, splits) => this.last ? splits.map((s) => timeOfDay(s)) : splits.map(() => "") };
+      values: (u, splits) => splits.map((s) =>
+        this.last && u.valToPos(s, "x") < u.over.clientWidth - halfLabel_px ? timeOfDay(s) : "") };
   }
 
   private valueAxis(): uPlot.Axis {
-    const { rows } = this.options;
+    const { rows, steps } = this.options;
     const base: uPlot.Axis = { size: 52, stroke: axisColor, font, space: 18,
-      grid: { stroke: gridColor, width: 1 }, ticks: { show: false } };
+      grid: { stroke: gridColor, width: 1 }, ticks: { show: false },
+      ...(steps ? { incrs: steps } : {}) };
     if (!rows) return base;
     return { ...base, grid: { show: false }, splits: () => rows.map((_, i) => i),
       values: () => rows };

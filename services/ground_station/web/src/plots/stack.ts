@@ -83,10 +83,11 @@ export class ChartStack {
         } },
       speed: { title: "Speed", unit: "m/s", digits: 2, weight: 0.8, range: atLeast(0, 2) },
       yawError: { title: "Yaw error", unit: "°", digits: 1, weight: 0.8, range: (low, high) => {
-        const bound = Math.max(20, 1.1 * Math.max(Math.abs(low), Math.abs(high)));
+        const most = Math.max(Math.abs(low), Math.abs(high));
+        const bound = [20, 45, 90].find((b) => most < b) ?? 180;
         return [-bound, bound];
-      } },
-      planTime: { title: "Plan time", unit: "ms", digits: 1, weight: 1, range: atLeast(0, 10) },
+      }, steps: [20, 45, 90, 180] },
+      planTime: { title: "Plan time", unit: "ms", digits: 1, weight: 1, range: atLeast(0, 2) },
       latency: { title: "Image to setpoint", unit: "ms", digits: 0, weight: 0.8,
         range: atLeast(0, 100) },
       ladder: { title: "States", unit: "", digits: 0, weight: 1.6, rows: ladderRows,

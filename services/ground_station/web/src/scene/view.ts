@@ -1,12 +1,12 @@
 // The 3-D scene: world ENU, z up. Drawn only when it is shown and something changed.
 import {
-  AmbientLight, Color, DirectionalLight, GridHelper, PerspectiveCamera, Scene, Vector3,
-  WebGLRenderer,
+  AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import type { Vehicle } from "../store/state.ts";
 import type { Session } from "../ui/session.ts";
+import { groundGrid } from "./grid.ts";
 import { Pace } from "./pace.ts";
 import { VehicleView } from "./vehicle_view.ts";
 
@@ -32,7 +32,7 @@ export class SceneView {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(50, 1, 0.1, 300);
   private readonly controls: OrbitControls;
-  private readonly grid = new GridHelper(80, 80, "#4a5b6a", "#344250");
+  private readonly grid = groundGrid();
   private readonly vehicles = new Map<string, VehicleView>();
   private readonly labels = new Map<string, HTMLElement>();
   private readonly focus = new Vector3();
@@ -63,7 +63,6 @@ export class SceneView {
     this.controls.maxDistance = 120;
     this.controls.addEventListener("change", () => (this.stirred = true));
     this.scene.background = new Color("#0b1015");
-    this.grid.rotation.x = Math.PI / 2;
     const sun = new DirectionalLight("#ffffff", 2);
     sun.position.set(4, -6, 10);
     this.scene.add(this.grid, new AmbientLight("#ffffff", 1.2), sun);

@@ -79,7 +79,8 @@ test("topics tell their vehicle, and the autopilot's are given to theirs", () =>
   assert.deepEqual(partsOf("/tf"), { vehicle: "", name: "tf" });
   assert.equal(ownerOf("px4_2", ["uav1", "uav2"]), "uav2");
   assert.equal(ownerOf("", ["uav1"]), "uav1");
-  assert.equal(ownerOf("", ["uav1", "uav2"]), undefined);
+  assert.equal(ownerOf("", ["uav1", "uav2"]), "uav1");
+  assert.equal(ownerOf("", ["uav2", "uav3"]), undefined);
 });
 
 const raw = (topic: string, time_s: number, data = new Uint8Array(4)): RawSample => ({ time_s,
