@@ -5,7 +5,7 @@ const period_ms = 1000 / 30;
 const slowPeriod_ms = 1000 / 12;
 const slack_ms = 4; // the display's frames do not fit ours
 const coarsest = 0.5;
-const [fewest, enough, veryFew] = [20, 27, 10]; // frames a second
+const [fewest, enough, veryFew] = [20, 24, 10]; // frames a second
 const patience_s = 4;
 const longestPatience_s = 60;
 
@@ -17,6 +17,7 @@ export class Pace {
   private calm_s = 0; // for which all went well
   private patience_s = patience_s; // before finer pictures are tried
   private sinceFiner_s = Infinity;
+  private starting_s = 3; // what is loaded then says nothing of the pictures to come
 
   constructor(private readonly finest: number) {
     this.ratio = finest;
@@ -32,6 +33,7 @@ export class Pace {
 
   /** After each second in which all frames were wanted. */
   adapt(fps: number): void {
+    if (this.starting_s-- > 0) return;
     this.sinceFiner_s++;
     if (fps < fewest && this.period_ms === period_ms) return this.yield(fps);
     const well = fps > (this.period_ms === period_ms ? enough : 11);
