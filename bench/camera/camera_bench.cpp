@@ -102,6 +102,7 @@ Json json_of(const CrossingScores& s) {
           {"switches", s.switches},
           {"lost_at_end", s.lost_at_end},
           {"found", share_of(s.found, s.frames)},
+          {"refused", share_of(s.refused, s.found)},
           {"of_other", share_of(s.of_other, s.found)},
           {"near", share_of(s.near_frames, s.frames)},
           {"ambiguous", share_of(s.ambiguous, s.frames)}};
@@ -117,9 +118,10 @@ Json run_crossings(const Options& o, const PerceptionParams& params) {
   for (std::size_t kind = 0; kind < kCrossingNames.size(); ++kind) {
     CrossingScores own;
     for (int i = 0; i < o.crossings; ++i) {
-      const WalkCase walk{o.first + static_cast<std::uint64_t>(i),
-                          people[static_cast<std::size_t>(i) % people.size()], 1.65 + 0.1 * (i % 3),
-                          2.0 + 0.75 * (i / 2 % 4), o.seconds};
+      const std::uint64_t seed = o.first + static_cast<std::uint64_t>(i);
+      const auto draw = static_cast<int>(seed % 12);
+      const WalkCase walk{seed, people[seed % people.size()], 1.65 + 0.1 * (draw % 3),
+                          2.0 + 0.75 * (draw / 2 % 4), o.seconds};
       const int before = own.switches;
       run_crossing(walk, static_cast<Crossing>(kind), network, params, own);
       if (!o.json && own.switches > before)

@@ -6,11 +6,11 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSpeed_m_s = 1.3, kStart_s = 0.5, kHeld_s = 0.5;
+constexpr double kSpeed_m_s = 1.3, kStart_s = 0.5, kHeld_s = 0.5, kAlone_s = 0.4;
 
 struct Routes {
   std::vector<Vec2> person, other;
-  double other_speed_m_s = kSpeed_m_s, other_start_s = kStart_s;
+  double other_speed_m_s = kSpeed_m_s;
 };
 
 // The person walks along x and is at the origin at `meet_s`, as the other one is near it. The
@@ -48,6 +48,19 @@ Routes routes_of(Crossing crossing, const Vec2& sight, double meet_s, Random& ra
   return r;
 }
 
+Person walker(double height_m, double start_s, const std::vector<Vec2>& route, double speed_m_s) {
+  return make_person({.height_m = height_m, .start_s = start_s, .stops = {}},
+                     walk_along(route, {.speed_m_s = speed_m_s}), 0.0);
+}
+
+// Bodies do not go through each other.
+bool keep_apart(Person a, Person b, double seconds) {
+  constexpr double kStep_s = 0.05, kLeast_m = 0.5;
+  for (; a.state.stamp_s < seconds; advance(a, kStep_s), advance(b, kStep_s))
+    if (distance_xy(a.state.position_enu_m, b.state.position_enu_m) < kLeast_m) return false;
+  return true;
+}
+
 // Whose pose it is: the torso in the image, and how large the body is there.
 struct Judge {
   const Scene& scene;
@@ -72,6 +85,10 @@ struct Judge {
     return distance_to(other.state, other.params.height_m, pose) <
            distance_to(scene.person.state, scene.walk.height_m, pose);
   }
+  bool is_other(const TargetState& track) const {
+    return distance_xy(track.position_enu_m, other.state.position_enu_m) <
+           distance_xy(track.position_enu_m, scene.person.state.position_enu_m);
+  }
   bool is_near() const {
     const Vec2 apart = (other.state.position_enu_m - scene.person.state.position_enu_m).head<2>();
     const Vec2 sight =
@@ -87,6 +104,7 @@ void CrossingScores::add(const CrossingScores& o) {
   switches += o.switches;
   frames += o.frames;
   found += o.found;
+  refused += o.refused;
   of_other += o.of_other;
   ambiguous += o.ambiguous;
   near_frames += o.near_frames;
@@ -99,20 +117,24 @@ void run_crossing(const WalkCase& walk, Crossing crossing, PoseNetwork& network,
   World world = square_of_houses(random);
   const double bearing = random.uniform(-kPi, kPi), eye_m = random.uniform(1.3, 1.8);
   const Vec2 sight = direction_of(bearing);
-  const Routes routes = routes_of(crossing, sight, 0.5 * walk.seconds, random);
+  const double other_m = random.uniform(1.6, 1.9);
+  Routes routes;
+  Person own_walk, other_walk;
+  do {
+    routes = routes_of(crossing, sight, 0.5 * walk.seconds, random);
+    own_walk = walker(walk.height_m, kStart_s, routes.person, kSpeed_m_s);
+    other_walk = walker(other_m, kStart_s, routes.other, routes.other_speed_m_s);
+  } while (!keep_apart(own_walk, other_walk, walk.seconds));
   WalkScores unused;
   Scene scene(walk, network, params, unused, std::move(world), routes.person);
-  scene.person = make_person({.height_m = walk.height_m, .start_s = kStart_s, .stops = {}},
-                             walk_along(routes.person, {.speed_m_s = kSpeed_m_s}), 0.0);
+  scene.person = own_walk;
   const auto people = person_names();
   const auto own = std::find(people.begin(), people.end(), walk.person) - people.begin();
   const auto beside = (own + random.integer(1, 3)) % static_cast<std::ptrdiff_t>(people.size());
   scene.camera.bystanders.push_back(
-      {load_person(people[static_cast<std::size_t>(beside)]),
-       make_person(
-           {.height_m = random.uniform(1.6, 1.9), .start_s = routes.other_start_s, .stops = {}},
-           walk_along(routes.other, {.speed_m_s = routes.other_speed_m_s}), 0.0)});
+      {load_person(people[static_cast<std::size_t>(beside)]), other_walk});
   const Judge judge{scene, scene.camera.bystanders.front().person};
+  const double judged_z_m = scene.camera.bystanders.front().person.state.position_enu_m.z();
   double other_since_s = -1.0, found_s = -1.0;
   bool switched = false;
   scene.run([&](const PersonState& person) {
@@ -120,16 +142,23 @@ void run_crossing(const WalkCase& walk, Crossing crossing, PoseNetwork& network,
     const double t = person.stamp_s;
     scene.look_from({p.x(), p.y(), eye_m}, bearing + rad(5.0) * std::sin(0.9 * t),
                     rad(4.0) * std::sin(1.7 * t), rad(4.0) * std::sin(1.3 * t));
+    // Chosen is who is alone at first: the other one is far below the ground for a moment.
+    PersonState& apart = scene.camera.bystanders.front().person.state;
+    apart.position_enu_m.z() = judged_z_m - (t < kAlone_s ? 1000.0 : 0.0);
     const PoseResult result = scene.see();
     ++scores.frames;
     scores.near_frames += judge.is_near();
     scores.ambiguous += result.ambiguous;
-    if (!result.found()) return;
-    scene.measure(result);
-    ++scores.found;
+    if (result.found()) {
+      const bool refused = scene.measure(result).status == PerceptionStatus::kGated;
+      ++scores.found;
+      scores.refused += refused;
+      scores.of_other += !refused && judge.is_other(result.person);
+    }
+    const TargetState track = coast(scene.filter, t, scene.params);
+    if (!track.usable()) return;
     found_s = t;
-    const bool other = judge.is_other(result.person);
-    scores.of_other += other;
+    const bool other = judge.is_other(track);
     if (!other) other_since_s = -1.0;
     if (other && other_since_s < 0.0) other_since_s = t;
     switched = switched || (other && t - other_since_s >= kHeld_s);

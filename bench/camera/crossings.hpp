@@ -18,12 +18,14 @@ inline constexpr std::array<std::string_view, 5> kCrossingNames = {"in front", "
 
 struct CrossingScores {
   int encounters = 0;
-  int switches = 0;           // the other one is followed for half a second, or at the end
+  int switches = 0;           // the track is the other one's for half a second, or at the end
+  int lost_at_end = 0;        // no track in the last half second
   int frames = 0, found = 0;  // found: a pose, of anybody
-  int of_other = 0;           // poses that are the other one's
+  int refused = 0;            // poses that the filter refused
+  int of_other = 0;           // poses that it took, but are the other one's
   int ambiguous = 0;          // images of which it was said
-  int near_frames = 0;        // the other one within a metre in the image's plane
-  int lost_at_end = 0;        // nobody is followed in the last half second
+  int near_frames = 0;        // the other one is close in the image
+
   void add(const CrossingScores& other);
 };
 

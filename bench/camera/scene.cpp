@@ -30,6 +30,7 @@ Scene::Scene(const WalkCase& w, PoseNetwork& n, const PerceptionParams& p, WalkS
                          walk_along(route, {1.4, 3.0, 0.45}), 0.0)),
       camera(make_color_camera({}, world, load_person(w.person))),
       depth(make_depth_camera({}, w.seed)) {
+  params = for_images(p);
   params.target_height_m = w.height_m;
 }
 

@@ -19,11 +19,12 @@ std::optional<ExpectedPlace> expected_place(const PerceptionState& state,
   const Pose T_world_camera = at_image->T_world_body() * camera.T_body_camera;
   const Vec3 torso_camera_m = T_world_camera.inverse() * target.position_enu_m;
   const auto px = camera.project(torso_camera_m);
-  if (!px) return ExpectedPlace{{kNowhere_px, kNowhere_px}, 0.0, 0.0};
+  const bool refused = state.entries[state.count - 1].estimate.verdict == FilterVerdict::kGated;
+  if (!px) return ExpectedPlace{{kNowhere_px, kNowhere_px}, 0.0, 0.0, refused};
   const double sigma_m = std::sqrt(target.covariance.diagonal().head<3>().maxCoeff());
   const double px_per_m = camera.fx_px / torso_camera_m.z();
   return ExpectedPlace{*px, px_per_m * (kSigmas * sigma_m + kHalfBody_m),
-                       px_per_m * params.target_height_m};
+                       px_per_m * params.target_height_m, refused};
 }
 
 }  // namespace foretrack

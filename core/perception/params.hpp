@@ -10,10 +10,11 @@ struct PerceptionParams {
   int model_complexity = 1;  // of the pose network; see PoseModel
   double min_detection_score = 0.5;
   double min_pose_score = 0.5;
-  double detector_period_s = 0.03;
+  double detector_period_s = 0.025;
   double jump_ratio = 0.3;
   double choice_gate_ratio = 0.5;
   double choice_memory_s = 2.0;
+  double clothes_gate = 0.4;
   // Landmarks → pose of the body in the camera.
   double target_height_m = 1.75;    // of the person who is followed
   double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.62)
@@ -36,12 +37,15 @@ struct PerceptionParams {
   double steady_density_m2_s3 = 0.22;
   double manoeuvre_density_m2_s3 = 5.0;
   double manoeuvre_memory_s = 0.12;
+  double doubt_density_m2_s3 = 100.0;
+  double doubt_density_images_m2_s3 = 0.22;
   double manoeuvre_level = 0.65;
   double vertical_density_m2_s3 = 0.05;
   double vertical_damping_s = 0.5;
   double initial_speed_sigma_m_s = 1.0;
   double gate_mahalanobis = 4.0;
   int reinitialise_after = 5;
+  int reinitialise_images_after = 30;
   double reinitialise_radius_m = 1.0;
   double yaw_density_rad2_s = 0.2;
   double yaw_gate_rad = 1.6;
@@ -52,5 +56,9 @@ struct PerceptionParams {
 };
 
 ParamRows rows(PerceptionParams& p);
+
+/// For observations that were made from images here: where others may be in view, the track is not
+/// given up as soon.
+PerceptionParams for_images(const PerceptionParams& params);
 
 }  // namespace foretrack

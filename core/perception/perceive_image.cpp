@@ -7,6 +7,7 @@
 namespace foretrack {
 namespace {
 
+constexpr double kLearnt = 0.15;  // of new looks, in each image
 constexpr int kMostSide_px = 16384;
 constexpr double kRegionOverBody = 1.25;  // side of a region over the height of who stands in it
 
@@ -17,7 +18,20 @@ bool is_picture(const RgbImage& image) {
                                  static_cast<std::size_t>(image.height_px);
 }
 
-void remember(PoseState& state, const PersonPose& person, double stamp_s) {
+// Who wears something else is somebody else.
+bool wears_the_same(const PoseState& state, const RgbImage& image, const PerceptionParams& params,
+                    PoseResult& result) {
+  const auto seen = appearance_of(image, result.person);
+  result.difference = seen && state.wears ? difference(*seen, *state.wears) : 0.0;
+  return result.difference <= params.clothes_gate;
+}
+
+// Clothes are not learnt while the filter refuses the poses.
+void remember(PoseState& state, const RgbImage& image, const PersonPose& person, double stamp_s,
+              bool doubtful) {
+  const auto seen = appearance_of(image, person);
+  if (seen && state.wears && !doubtful) learn(*state.wears, *seen, kLearnt);
+  if (seen && !state.wears) state.wears = seen;
   state.region = person.tracked;
   state.torso_px = person.torso_px();
   state.size_px = person.tracked.size_px;
@@ -75,9 +89,11 @@ void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork
   const auto found = find_landmarks(image, region_of_body(points[0], points[1]), *network.landmarks,
                                     params.min_pose_score);
   if (!found) return;
-  result.status = PoseStatus::kDetected;
   result.person = *found;
-  remember(state, *found, stamp_s);
+  if (!place) state.wears.reset();
+  if (!wears_the_same(state, image, params, result)) return;
+  result.status = PoseStatus::kDetected;
+  remember(state, image, *found, stamp_s, place && place->refused);
 }
 
 }  // namespace
@@ -94,14 +110,16 @@ PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_
   PoseResult result;
   if (!is_picture(image)) return result;
   if (stamp_s < std::max(state.seen_s, state.looked_s)) state = {};
+  if (expected && expected->refused) state.region.reset();
   if (state.region) {
     const auto found =
         find_landmarks(image, *state.region, *network.landmarks, params.min_pose_score);
     const double jump_px = params.jump_ratio * state.size_px;
-    if (found && (found->torso_px() - state.torso_px).norm() <= jump_px) {
+    if (found) result.person = *found;
+    if (found && (found->torso_px() - state.torso_px).norm() <= jump_px &&
+        wears_the_same(state, image, params, result)) {
       result.status = PoseStatus::kTracked;
-      result.person = *found;
-      remember(state, *found, stamp_s);
+      remember(state, image, *found, stamp_s, false);
       return result;
     }
     state.region.reset();

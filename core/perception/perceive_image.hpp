@@ -9,6 +9,7 @@
 
 #include "core/common/image.hpp"
 #include "core/common/target.hpp"
+#include "core/perception/appearance.hpp"
 #include "core/perception/find_landmarks.hpp"
 #include "core/perception/params.hpp"
 #include "core/perception/pose_network.hpp"
@@ -27,9 +28,10 @@ std::string_view to_string(PoseStatus status);
 
 struct PoseResult {
   PoseStatus status = PoseStatus::kBadImage;
-  PersonPose person;       // valid if found()
-  int candidates = 0;      // people that the detector saw, if it ran
-  bool ambiguous = false;  // several of them could be the chosen one
+  PersonPose person;        // valid if found()
+  int candidates = 0;       // people that the detector saw, if it ran
+  bool ambiguous = false;   // several of them could be the chosen one
+  double difference = 0.0;  // of the clothes from those that the chosen one wore
   bool found() const { return status == PoseStatus::kTracked || status == PoseStatus::kDetected; }
 };
 
@@ -39,6 +41,7 @@ struct PoseState {
   Vec2 torso_px = Vec2::Zero();       // of the chosen person, when last seen
   double size_px = 0.0;               // of their region then
   double seen_s = -1e9;
+  std::optional<Appearance> wears;
   double looked_s = -1e9;  // when the detector ran last
   int looks = 0;           // of the detector since then
 };
@@ -46,9 +49,9 @@ struct PoseState {
 /// Landmarks of the chosen person: in the region from the last image while they are tracked, by the
 /// detector (at most once in detector_period_s, in one search_window() after the other) otherwise.
 /// The first time, the most certain person is chosen; then whoever is nearest to where the chosen
-/// one is expected, within the gate. Cost of a tracked image: about 6 ms with the lite model; with
-/// the detector 11 ms more. Stamps must
-/// grow; one that goes back starts anew.
+/// one is expected, within the gate. A pose that the filter refused may be somebody else's: it is
+/// not tracked on, the detector looks again. Cost of a tracked image: about 6 ms with the lite
+/// model; with the detector 11 ms more. Stamps must grow; one that goes back starts anew.
 PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_s,
                           PoseNetwork& network, const PerceptionParams& params,
                           const std::optional<ExpectedPlace>& expected = {});

@@ -13,6 +13,7 @@ struct ExpectedPlace {
   Vec2 torso_px = Vec2::Zero();
   double gate_px = 0.0;  // farther away it is somebody else
   double body_px = 0.0;  // height of the body there; 0: not known
+  bool refused = false;  // the last pose was not there: the filter did not take it
 };
 
 /// The detector's input is small: people far away are only found in a part of the image. The first

@@ -50,8 +50,9 @@ void weigh_innovation(TargetEstimate& e, const Vec2& innovation, const Mat2& cov
 double horizontal_density(const TargetEstimate& e, const PerceptionParams& params) {
   const double ratio = e.manoeuvre.norm() / params.manoeuvre_level;
   const double weight = std::clamp(ratio * ratio - 1.0, 0.0, 1.0);
-  return params.steady_density_m2_s3 +
-         weight * (params.manoeuvre_density_m2_s3 - params.steady_density_m2_s3);
+  const double density = params.steady_density_m2_s3 +
+                         weight * (params.manoeuvre_density_m2_s3 - params.steady_density_m2_s3);
+  return e.gated_in_a_row > 0 ? std::min(density, params.doubt_density_m2_s3) : density;
 }
 
 void correct_position(TargetEstimate& e, const TorsoMeasurement& m, const Mat3& inverse) {

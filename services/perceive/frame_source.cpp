@@ -114,13 +114,15 @@ std::unique_ptr<FrameSource> open_camera(const std::string& device) {
 
 RgbImage load_picture(const std::string& file) {
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw std::runtime_error(file + ": no such file");
+  if (!fs::exists(file, error)) throw std::runtime_error(file + ": no such file");
+  if (!fs::is_regular_file(file, error)) throw std::runtime_error(file + ": not a file");
   if (fs::file_size(file, error) == 0) throw std::runtime_error(file + ": empty");
   cv::Mat picture;
   try {
     picture = cv::imread(file, cv::IMREAD_COLOR);
   } catch (const cv::Exception& trouble) {  // e.g. more pixels than OpenCV takes
-    throw std::runtime_error(file + ": " + trouble.err);
+    throw std::runtime_error(
+        file + ": OpenCV cannot take this picture, e.g. because of its size (" + trouble.err + ")");
   }
   if (picture.empty())
     throw std::runtime_error(file +

@@ -75,6 +75,7 @@ void ImageInput::look(double stamp_s) {
   const auto expected =
       expected_place(track_, vehicle_.history(), camera_->camera, stamp_s, params_);
   PoseResult result = perceive_image(pose_, rgb_, stamp_s, *network_, params_, expected);
+  if (result.ambiguous) ambiguous_s_ = stamp_s;
   Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN()};
   if (result.found()) {
     undistort(result.person, camera_->camera, camera_->lens);

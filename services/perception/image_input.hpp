@@ -33,6 +33,8 @@ class ImageInput {
 
   /// Why images are of no use now; empty: they are, or none come.
   const std::string& trouble() const { return trouble_; }
+  /// When several people could last have been the one who is followed; by the image's stamp.
+  double ambiguous_s() const { return ambiguous_s_; }
 
  private:
   void take_mount(const tf2_msgs::msg::TFMessage& message);
@@ -62,6 +64,7 @@ class ImageInput {
   TargetObservation observation_;
   std::string trouble_;
   double next_load_s_ = -1e9;
+  double ambiguous_s_ = -1e9;
 };
 
 }  // namespace foretrack

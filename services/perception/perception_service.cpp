@@ -16,6 +16,8 @@ constexpr std::size_t kMaxWaiting = 8;
 constexpr double kDrawPeriod_s = 0.1;
 constexpr double kVehicleStale_s = 0.5;
 constexpr double kRestart_s = 1.0;
+constexpr double kDoubt_s = 3.0;  // so long it is said
+constexpr char kAmbiguous[] = "several people could be the one who is followed; see the image";
 constexpr double kOwnImages_s = 1.0;  // while there are some, observations of others do not count
 
 }  // namespace
@@ -23,6 +25,7 @@ constexpr double kOwnImages_s = 1.0;  // while there are some, observations of o
 PerceptionService::PerceptionService(Service& service, const PerceptionParams& params)
     : service_(service),
       params_(params),
+      params_of_images_(for_images(params)),
       vehicle_(service, [this] { perceive_waiting(); }),
       observation_(service.node()),
       target_(service.node()),
@@ -38,7 +41,7 @@ void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& messa
   if (sees_nobody(message)) return;
   const auto observation = from_idl(message);
   if (!observation) return observation_.refuse(observation.fault());
-  wait_for_odometry(*observation, std::numeric_limits<double>::quiet_NaN());
+  wait_for_odometry({*observation, 0.0, std::numeric_limits<double>::quiet_NaN(), false});
 }
 
 void PerceptionService::take_seen(const ImageInput::Seen& seen) {
@@ -49,17 +52,17 @@ void PerceptionService::take_seen(const ImageInput::Seen& seen) {
   }
   if (seen.observation) {
     to_idl(*seen.observation, seen_->sample());
-    wait_for_odometry(*seen.observation, seen.torso_depth_m);
+    wait_for_odometry({*seen.observation, 0.0, seen.torso_depth_m, true});
   } else {
     to_idl_nobody(seen.stamp_s, seen_->sample());
   }
   seen_->write();
 }
 
-void PerceptionService::wait_for_odometry(const TargetObservation& observation,
-                                          double torso_depth_m) {
+void PerceptionService::wait_for_odometry(Waiting observed) {
   if (waiting_.size() == kMaxWaiting) waiting_.pop_front();
-  waiting_.push_back({observation, service_.clock().now_s(), torso_depth_m});
+  observed.arrived_s = service_.clock().now_s();
+  waiting_.push_back(std::move(observed));
   perceive_waiting();
 }
 
@@ -67,11 +70,12 @@ void PerceptionService::wait_for_odometry(const TargetObservation& observation,
 void PerceptionService::perceive_waiting() {
   const double now_s = service_.clock().now_s();
   for (; !waiting_.empty(); waiting_.pop_front()) {
-    const auto& [observation, arrived_s, torso_depth_m] = waiting_.front();
+    const auto& [observation, arrived_s, torso_depth_m, of_image] = waiting_.front();
     const VehicleState* vehicle = vehicle_.newest();
     const bool covered = vehicle && vehicle->stamp_s >= observation.stamp_s;
     if (!covered && now_s - arrived_s < kPoseWait_s) return;
-    const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
+    const auto result = perceive(state_, observation, vehicle_.history(),
+                                 of_image ? params_of_images_ : params_, torso_depth_m);
     if (result.status == PerceptionStatus::kGated) ++gated_;
     delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
     if (result.target.stamp_s > published_s_) publish(result.target);
@@ -82,7 +86,11 @@ void PerceptionService::coast_if_silent() {
   perceive_waiting();
   const double now_s = service_.clock().now_s();
   const bool seeing = vehicle_.age_s(now_s) < kVehicleStale_s;
-  service_.health().set_degraded(seeing ? images_.trouble() : "no odometry");
+  const bool doubtful = std::abs(now_s - images_.ambiguous_s()) < kDoubt_s;
+  service_.health().set_degraded(!seeing                      ? "no odometry"
+                                 : !images_.trouble().empty() ? images_.trouble()
+                                 : doubtful                   ? kAmbiguous
+                                                              : "");
   if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
     state_ = {};
     published_s_ = -1.0;

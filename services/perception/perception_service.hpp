@@ -25,17 +25,18 @@ class PerceptionService {
     TargetObservation observation;
     double arrived_s = 0.0;
     double torso_depth_m = 0.0;  // NaN: not measured
+    bool of_image = false;
   };
   void take(const foretrack_msgs::msg::TargetObservation& message);
   void take_seen(const ImageInput::Seen& seen);
-  void wait_for_odometry(const TargetObservation& observation, double torso_depth_m);
+  void wait_for_odometry(Waiting observed);
   void perceive_waiting();
   void coast_if_silent();
   void publish(const TargetState& target);
   void publish_markers(const TargetState& target);
 
   Service& service_;
-  PerceptionParams params_;
+  PerceptionParams params_, params_of_images_;
   PerceptionState state_;
   VehicleInput vehicle_;
   Reader<topics::TargetObservation> observation_;

@@ -112,6 +112,32 @@ TEST_F(PerceiveImage, TheExpectedPlaceDecidesAndItsGateHolds) {
   EXPECT_FALSE(look(1.0, ExpectedPlace{{200.0, 200.0}, 60.0, kBody_px}).found());
 }
 
+TEST_F(PerceiveImage, WhoWearsSomethingElseIsNotTakenUntilTheChosenOneIsForgotten) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  ASSERT_TRUE(look(0.0).found());
+  for (std::size_t k = 0; k < image_.rgb.size(); k += 3) image_.rgb[k] = 250;  // red, not grey
+  const auto other = look(0.03);
+  EXPECT_EQ(other.status, PoseStatus::kNobody);
+  EXPECT_GT(other.difference, params_.clothes_gate);
+  EXPECT_TRUE(look(0.1 + params_.choice_memory_s).found());
+}
+
+TEST_F(PerceiveImage, ADarkerLightIsNoOtherPerson) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  ASSERT_TRUE(look(0.0).found());
+  for (auto& byte : image_.rgb) byte = static_cast<std::uint8_t>(0.6 * byte);
+  EXPECT_EQ(look(0.03).status, PoseStatus::kTracked);
+}
+
+TEST_F(PerceiveImage, APoseThatTheFilterRefusedIsNotTrackedOn) {
+  fake_.see({0.4, 0.5}, 0.3, 3.0);
+  ExpectedPlace place{{160.0, 200.0}, 60.0, 200.0};
+  ASSERT_EQ(look(0.0, place).status, PoseStatus::kDetected);
+  ASSERT_EQ(look(0.03, place).status, PoseStatus::kTracked);
+  place.refused = true;
+  EXPECT_EQ(look(0.06, place).status, PoseStatus::kDetected);
+}
+
 TEST_F(PerceiveImage, TimeThatGoesBackStartsAnew) {
   fake_.see({0.4, 0.5}, 0.3, 3.0);
   look(10.0);

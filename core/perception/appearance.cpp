@@ -1,0 +1,51 @@
+#include "core/perception/appearance.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr int kSteps = 8;         // samples a side
+constexpr double kInside = 0.15;  // of the torso that is left out at each side
+constexpr double kDark = 12.0;    // so that the colour of black is not noise
+constexpr double kBrightness = 0.4;
+constexpr int kLeastSamples = kSteps * kSteps / 4;  // of a half
+
+}  // namespace
+
+std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose& person) {
+  const auto corner = [&](TorsoJoint joint) { return person.landmarks[joint].image_px; };
+  std::array<Vec3, 2> sums{Vec3::Zero(), Vec3::Zero()};
+  std::array<int, 2> counts{};
+  for (int row = 0; row < kSteps; ++row)
+    for (int column = 0; column < kSteps; ++column) {
+      const double across = kInside + (1.0 - 2.0 * kInside) * (column + 0.5) / kSteps;
+      const double down = kInside + (1.0 - 2.0 * kInside) * (row + 0.5) / kSteps;
+      const Vec2 top =
+          corner(kLeftShoulder) + across * (corner(kRightShoulder) - corner(kLeftShoulder));
+      const Vec2 bottom = corner(kLeftHip) + across * (corner(kRightHip) - corner(kLeftHip));
+      const Vec2 px = top + down * (bottom - top);
+      if (!(px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.width_px && px.y() < image.height_px))
+        continue;
+      const std::uint8_t* rgb = image.pixel(static_cast<int>(px.x()), static_cast<int>(px.y()));
+      const int half = 2 * row / kSteps;
+      sums[half] += Vec3(rgb[0], rgb[1], rgb[2]);
+      ++counts[half];
+    }
+  Appearance seen;
+  for (int half = 0; half < 2; ++half) {
+    if (counts[half] < kLeastSamples) return std::nullopt;
+    const Vec3 mean = (sums[half] / counts[half]).array() + kDark;
+    seen.colors.segment<3>(3 * half) << std::log(mean.x() / mean.y()),
+        std::log(mean.z() / mean.y()), kBrightness * std::log(mean.mean());
+  }
+  return seen;
+}
+
+double difference(const Appearance& a, const Appearance& b) {
+  return (a.colors - b.colors).norm();
+}
+
+void learn(Appearance& known, const Appearance& seen, double share) {
+  known.colors += share * (seen.colors - known.colors);
+}
+
+}  // namespace foretrack
