@@ -25,6 +25,8 @@ ParamRows rows(MappingParams& p) {
       {"vehicle_bubble_m", &p.vehicle_bubble_m, "m", 0.0, 3.0,
        "unknown space this near the vehicle is free"},
       {"start_bubble_m", &p.start_bubble_m, "m", 0.0, 5.0, "the same, where the vehicle starts"},
+      {"vehicle_reach_m", &p.vehicle_reach_m, "m", 0.0, 5.0,
+       "unknown space this near before the camera is free"},
       {"start_reach_m", &p.start_reach_m, "m", 0.0, 5.0,
        "room before the camera, where the vehicle starts"},
   };

@@ -26,6 +26,7 @@ struct MappingParams {
   double target_below_m = 1.4;
   double vehicle_bubble_m = 0.6;
   double start_bubble_m = 0.8;
+  double vehicle_reach_m = 1.0;
   double start_reach_m = 1.2;
 };
 

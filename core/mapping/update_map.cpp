@@ -156,7 +156,7 @@ int apply_marks(MappingState& state, const MappingParams& params) {
   return changed;
 }
 
-constexpr double kStartCosine = 0.26;  // 75° about the camera's axis
+constexpr double kReachCosine = 0.26;  // 75° about the camera's axis
 
 // A ball, or the part of it within an angle of an axis.
 struct Room {
@@ -241,12 +241,11 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
   const Vec3& place = at_image->position_enu_m;
   const double bubble_m = starts ? params.start_bubble_m : params.vehicle_bubble_m;
   update.changed_cells += set_free(state, {place, bubble_m}, params);
-  // Where it starts, its way to where the field of view is wide enough for it is not seen either.
-  if (starts) {
-    const Vec3 axis = scan.T_world_camera.linear().col(2);
-    update.changed_cells +=
-        set_free(state, {place, params.start_reach_m, axis, kStartCosine}, params);
-  }
+  // Its way to where the field of view is wide enough for it is not seen either: without room
+  // there, a vehicle that hovers would be shut in.
+  const double reach_m = starts ? params.start_reach_m : params.vehicle_reach_m;
+  const Vec3 axis = scan.T_world_camera.linear().col(2);
+  update.changed_cells += set_free(state, {place, reach_m, axis, kReachCosine}, params);
   if (update.changed_cells > 0 || update.scrolled) update_distances(state.map, state.distances);
   state.map.stamp_s = image.stamp_s;
   return update;

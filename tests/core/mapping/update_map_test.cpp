@@ -190,6 +190,27 @@ TEST(UpdateMap, WhereItStartsThereIsRoomBeforeTheCameraOnly) {
   EXPECT_EQ(m.at(-0.75, 0.75, 1.4), Cell::kUnknown);
 }
 
+// What is seen begins as a narrow cone. A planner does not come nearer to what is unknown than it
+// is: without room before the camera a vehicle that hovers had no way into the space that it looks
+// at.
+TEST(UpdateMap, WhereverItHoversTheWayBeforeTheCameraIsAsWideAsItsPlace) {
+  Mapper m;
+  m.look({kFloor});
+  const Vec3 aside = kStart + Vec3(-3.0, 0.6, 0.0);
+  m.look({kFloor}, aside, kPi);
+  const GridMap& map = local_map(m.state);
+  for (double way_m = 0.0; way_m < 3.0; way_m += 0.1)
+    EXPECT_GE(map.unfree_distance_m(aside - Vec3(way_m, 0, 0)), map.unfree_distance_m(aside))
+        << way_m << " m ahead";
+}
+
+TEST(UpdateMap, RoomBeforeTheCameraNeverHidesWhatIsSeenThere) {
+  const Box near{{0.7, -0.3, 1.0}, {0.9, 0.3, 1.8}};
+  Mapper m;
+  m.look({near});
+  EXPECT_EQ(m.at(0.70, 0.0, 1.4), Cell::kOccupied);
+}
+
 int cells_that_differ_from_the_octree(const MappingState& state) {
   const GridMap& map = local_map(state);
   int differing = 0;
