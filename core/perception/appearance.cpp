@@ -3,11 +3,11 @@
 namespace foretrack {
 namespace {
 
-constexpr int kSteps = 8;         // samples a side
-constexpr double kInside = 0.15;  // of the torso that is left out at each side
-constexpr double kDark = 12.0;    // so that the colour of black is not noise
+constexpr int kColorSteps = 8;         // samples a side
+constexpr double kTorsoInside = 0.15;  // of the torso that is left out at each side
+constexpr double kDark = 12.0;         // so that the colour of black is not noise
 constexpr double kBrightness = 0.4;
-constexpr int kLeastSamples = kSteps * kSteps / 4;  // of a half
+constexpr int kLeastSamples = kColorSteps * kColorSteps / 4;  // of a half
 
 }  // namespace
 
@@ -15,10 +15,11 @@ std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose&
   const auto corner = [&](TorsoJoint joint) { return person.landmarks[joint].image_px; };
   std::array<Vec3, 2> sums{Vec3::Zero(), Vec3::Zero()};
   std::array<int, 2> counts{};
-  for (int row = 0; row < kSteps; ++row)
-    for (int column = 0; column < kSteps; ++column) {
-      const double across = kInside + (1.0 - 2.0 * kInside) * (column + 0.5) / kSteps;
-      const double down = kInside + (1.0 - 2.0 * kInside) * (row + 0.5) / kSteps;
+  for (int row = 0; row < kColorSteps; ++row)
+    for (int column = 0; column < kColorSteps; ++column) {
+      const double across =
+          kTorsoInside + (1.0 - 2.0 * kTorsoInside) * (column + 0.5) / kColorSteps;
+      const double down = kTorsoInside + (1.0 - 2.0 * kTorsoInside) * (row + 0.5) / kColorSteps;
       const Vec2 top =
           corner(kLeftShoulder) + across * (corner(kRightShoulder) - corner(kLeftShoulder));
       const Vec2 bottom = corner(kLeftHip) + across * (corner(kRightHip) - corner(kLeftHip));
@@ -26,7 +27,7 @@ std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose&
       if (!(px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.width_px && px.y() < image.height_px))
         continue;
       const std::uint8_t* rgb = image.pixel(static_cast<int>(px.x()), static_cast<int>(px.y()));
-      const int half = 2 * row / kSteps;
+      const int half = 2 * row / kColorSteps;
       sums[half] += Vec3(rgb[0], rgb[1], rgb[2]);
       ++counts[half];
     }
