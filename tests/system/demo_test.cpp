@@ -9,7 +9,7 @@ TEST(Demo, FliesWithoutCollisionAndWritesACompleteSummary) {
   Folder folder;
   const auto out = folder.path / "flight";
   // At half speed, so that a busy machine keeps up.
-  Program demo({"demo", "--headless", "--for", "12", "--speed", "0.5", "--out", out.string()},
+  Program demo({"demo", "--headless", "--for", "9", "--speed", "0.5", "--out", out.string()},
                folder.path / "out");
   ASSERT_EQ(demo.wait(150.0), 0) << demo.output();
   for (const char* file : {"log.csv", "metrics.json", "summary.json", "flight.png",
@@ -20,7 +20,7 @@ TEST(Demo, FliesWithoutCollisionAndWritesACompleteSummary) {
   EXPECT_GT(summary["path_length_m"], 5.0);
   EXPECT_GT(summary["plans"], 100);
   EXPECT_EQ(summary["metrics"]["collisions"], 0);
-  EXPECT_NEAR(summary["metrics"]["duration_s"], 12.0, 1.0);
+  EXPECT_NEAR(summary["metrics"]["duration_s"], 9.0, 1.0);
   EXPECT_GT(summary["metrics"]["min_distance_m"], 0.5);
   EXPECT_GT(summary["latency_ms"]["p50"], 0.0);
   EXPECT_GE(summary["latency_ms"]["p99"], summary["latency_ms"]["p50"]);
