@@ -37,7 +37,7 @@ std::string decode(std::string_view text) {
 
 std::string security_policy(const Request& request, bool tls) {
   return "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
-         "data: blob:; worker-src 'self' blob:; connect-src 'self' " +
+         "data: blob:; worker-src 'self'; connect-src 'self' " +
          std::string(tls ? "wss://" : "ws://") + request.host +
          "; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }

@@ -10,7 +10,7 @@ rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 await build({
   absWorkingDir: here,
-  entryPoints: ["src/main.tsx", "src/style.css"],
+  entryPoints: ["src/main.tsx", "src/scene/scene_worker.ts", "src/style.css"],
   outdir: out,
   entryNames: "[name]",
   chunkNames: "[name]-[hash]",

@@ -24,9 +24,9 @@ function processor() {
 
 /** Milliseconds of one picture until it is there, by ratio, with nothing new to show. */
 function raster(page) {
-  return page.evaluate(() => {
-    const { renderer, scene, camera, request } = document.querySelector("[data-first]").view;
-    cancelAnimationFrame(request);
+  return page.workers()[0].evaluate(() => {
+    const { renderer, scene, camera } = self.view;
+    self.view.halt();
     const gl = renderer.getContext();
     const draw_ms = () => {
       const begin_ms = performance.now();

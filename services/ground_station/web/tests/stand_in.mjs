@@ -10,7 +10,8 @@ import { diagnosticsOf, encode, samplesAt, schemaNameOf, typeOf } from "./synthe
 
 const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
   ".svg": "image/svg+xml", ".txt": "text/plain" };
-const policy = "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:";
+const policy = "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; " +
+  "worker-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:";
 
 class StandIn {
   channels = new Map(); // topic → channel

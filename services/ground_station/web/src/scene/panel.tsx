@@ -1,8 +1,8 @@
 import { useEffect, useRef } from "preact/hooks";
 
-import { useModule } from "../ui/hooks.ts";
 import type { Session } from "../ui/session.ts";
-import type { SceneView, ViewKind } from "./view.ts";
+import type { ViewKind } from "./messages.ts";
+import { SceneScreen } from "./screen.ts";
 
 export interface SceneHandle { setView(kind: ViewKind): void; cut(): void }
 
@@ -10,28 +10,20 @@ const views: [ViewKind, string][] = [["follow", "Follow"], ["orbit", "Orbit"], [
 
 export function ScenePanel({ session, handle }: { session: Session; handle: SceneHandle }) {
   const host = useRef<HTMLDivElement>(null);
-  const view = useRef<SceneView | null>(null);
-  const module = useModule(() => import("./view.ts"));
+  const screen = useRef<SceneScreen | null>(null);
   useEffect(() => {
-    if (!module || !host.current) return;
-    try {
-      view.current = new module.SceneView(session, host.current);
-      Object.assign(host.current, { view: view.current }); // for probe/scene.mjs
-    } catch (error) {
-      host.current.textContent = `This browser shows no 3-D: ${(error as Error).message}`;
-      return;
-    }
-    return () => view.current?.destroy();
-  }, [module]);
+    screen.current = new SceneScreen(session, host.current!);
+    return () => screen.current?.destroy();
+  }, []);
   handle.setView = (kind) => {
-    view.current?.setView(kind);
+    screen.current?.setView(kind);
     session.changed();
   };
   handle.cut = () => {
-    if (view.current) view.current.cut = !view.current.cut;
+    screen.current?.toggleCut();
     session.changed();
   };
-  const kind = view.current?.kind ?? "follow";
+  const kind = screen.current?.kind ?? "follow";
   return (
     <section class="scene" aria-label="scene">
       <div class="canvas" ref={host} />
@@ -41,7 +33,7 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
             {word}
           </button>
         ))}
-        <button aria-pressed={view.current?.cut ?? true} onClick={() => handle.cut()}
+        <button aria-pressed={screen.current?.cut ?? true} onClick={() => handle.cut()}
           title="cut walls low (W)">Cut walls</button>
       </nav>
       <Legend />

@@ -4,11 +4,12 @@ import { Color, Group } from "three";
 import type { PlannedTrajectory, TargetIntention, TargetPrediction } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
 import { duration_s, samplePlan } from "../store/derive.ts";
-import { age_s, type State, type Vehicle } from "../store/state.ts";
+import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
 import { blue, colorOf, green, intentionColor, orange } from "../ui/palette.ts";
 import { PersonBody, VehicleBody } from "./bodies.ts";
 import { polytopeEdges } from "./corridor.ts";
+import type { SeenVehicle } from "./known.ts";
 import { type Fan, FadingLine, Fans, type Point, Ribbons, Segments } from "./shapes.ts";
 import { voxelsOfMap, voxelsOfPoints, VoxelView } from "./voxels.ts";
 
@@ -46,8 +47,8 @@ export class VehicleView {
   private trails = "";
   private cut_m = Infinity;
 
-  constructor(vehicle: Vehicle) {
-    const color = colorOf(vehicle.index);
+  constructor(index: number) {
+    const color = colorOf(index);
     this.body = new VehicleBody(color);
     this.trail = new FadingLine(900, color);
     this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
@@ -55,7 +56,7 @@ export class VehicleView {
       this.ribbons.mesh, this.voxels.mesh, this.details);
   }
 
-  update(state: State, vehicle: Vehicle, chosen: boolean, cut_m: number): void {
+  update(now_s: number, vehicle: SeenVehicle, chosen: boolean, cut_m: number): void {
     const { latest } = vehicle;
     this.details.visible = chosen;
     const odometry = latest["odometry"];
@@ -67,13 +68,13 @@ export class VehicleView {
     if (target) this.person.place(target.message);
     this.drawTrails(vehicle);
     const fresh = (heard: { time_s: number } | undefined): boolean =>
-      heard !== undefined && age_s(state, heard) < stale_s;
+      heard !== undefined && age_s({ now_s }, heard) < stale_s;
     const { "target/prediction": prediction, "plan/trajectory": plan } = latest;
     this.clearStale(fresh(prediction), fresh(plan));
     if (prediction && this.shown.paths && this.isNew(prediction))
       this.drawPaths(prediction.message);
     if (plan && this.shown.plan && this.isNew(plan)) this.drawPlan(plan.message);
-    if (chosen) this.drawDetails(state, vehicle, fresh);
+    if (chosen) this.drawDetails(now_s, vehicle, fresh);
     this.drawVoxels(vehicle, cut_m);
   }
 
@@ -90,7 +91,7 @@ export class VehicleView {
     this.shown = { paths, plan };
   }
 
-  private drawTrails(vehicle: Vehicle): void {
+  private drawTrails(vehicle: SeenVehicle): void {
     const key = `${vehicle.trail.version} ${vehicle.targetTrail.version}`;
     if (key === this.trails) return;
     this.trails = key;
@@ -122,7 +123,7 @@ export class VehicleView {
       (share) => (share > tail ? 0.45 : 0.95));
   }
 
-  private drawDetails(state: State, vehicle: Vehicle,
+  private drawDetails(now_s: number, vehicle: SeenVehicle,
                       fresh: (heard?: { time_s: number }) => boolean): void {
     const { "target/intention": intention, "plan/trajectory": plan, "target/state": target } =
       vehicle.latest;
@@ -130,8 +131,8 @@ export class VehicleView {
     this.regions.mesh.visible = fresh(plan);
     this.corridor.mesh.visible = fresh(plan);
     if (intention && this.isNew(intention)) this.drawSectors(intention.message);
-    if (!plan || Math.abs(state.now_s - this.corridor_s) < corridorPeriod_s) return;
-    this.corridor_s = state.now_s;
+    if (!plan || Math.abs(now_s - this.corridor_s) < corridorPeriod_s) return;
+    this.corridor_s = now_s;
     this.regions.set(plan.message.visible_regions.map((region): Fan => ({
       center: [region.target_position_m[0]!, region.target_position_m[1]!, 0.03],
       radius_m: reach_m, bisector_rad: region.bisector_yaw_rad, half_rad: region.half_angle_rad,
@@ -154,7 +155,7 @@ export class VehicleView {
     }));
   }
 
-  private drawVoxels(vehicle: Vehicle, cut_m: number): void {
+  private drawVoxels(vehicle: SeenVehicle, cut_m: number): void {
     const { "map/points": points, "map/local": map } = vehicle.latest;
     const usePoints = points && (!map || map.time_s - points.time_s < 3);
     const heard = usePoints ? points : map;

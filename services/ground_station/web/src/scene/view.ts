@@ -1,163 +1,157 @@
-// The 3-D scene: world ENU, z up. Drawn only when it is shown and something changed.
+// The 3-D scene: world ENU, z up. Drawn only when something changed.
 import {
   AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
-import type { Vehicle } from "../store/state.ts";
-import type { Session } from "../ui/session.ts";
 import { groundGrid } from "./grid.ts";
+import { Known, type SeenVehicle } from "./known.ts";
+import type { FromScene, Label, ToScene, ViewKind } from "./messages.ts";
 import { Pace } from "./pace.ts";
+import { Surface } from "./surface.ts";
 import { VehicleView } from "./vehicle_view.ts";
 
 const cutHeight_m = 1.1;
-
-export type ViewKind = "orbit" | "follow" | "top";
-
-const longest_ms = 500; // what grows old is drawn so without anything new
+const idle_ms = 200; // so long without news: there are none
 
 // Without a graphics card smooth edges cost more than they are worth.
 function drawsInSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl");
+  const gl = new OffscreenCanvas(1, 1).getContext("webgl");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
   const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
+const slow = drawsInSoftware(); // takes its time: asked before there is a canvas
+
 export class SceneView {
-  kind: ViewKind = "follow";
-  cut = true; // walls, so that they hide nothing
+  private kind: ViewKind = "follow";
+  private cut = true;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(50, 1, 0.1, 300);
+  private readonly surface = new Surface();
   private readonly controls: OrbitControls;
   private readonly grid = groundGrid();
+  private readonly known = new Known();
   private readonly vehicles = new Map<string, VehicleView>();
-  private readonly labels = new Map<string, HTMLElement>();
   private readonly focus = new Vector3();
   private readonly corner = new Vector3(); // of a label
   private readonly pace: Pace;
-  private readonly observer = new ResizeObserver(() => this.fit());
-  private size = { width: 0, height: 0 }; // kept, as asking for it costs a layout
   private generation = -1;
   private placed = false;
   private request = 0;
   private stirred = true; // the camera or the canvas
-  private drawnCut = true;
-  private drawnFresh = -1;
-  private drawn_ms = 0;
+  private updated = true; // what is drawn is what is known
+  private heard_ms = 0; // the last news
   private frames = 0;
   private wantedAll = true; // none of the last second's frames was left out as nothing had changed
   private script_ms = 0; // of these frames
   private counted_ms = performance.now();
 
-  constructor(private readonly session: Session, private readonly host: HTMLElement) {
-    const slow = drawsInSoftware();
-    this.renderer = new WebGLRenderer({ antialias: !slow && devicePixelRatio < 2 });
-    this.pace = new Pace(slow ? 1 : Math.min(devicePixelRatio, 2));
+  constructor(canvas: OffscreenCanvas, ratio: number,
+              private readonly tell: (message: FromScene) => void) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: !slow && ratio < 2 });
+    this.pace = new Pace(slow ? 1 : Math.min(ratio, 2));
     this.renderer.setPixelRatio(this.pace.ratio);
-    host.prepend(this.renderer.domElement);
     this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls = new OrbitControls(this.camera, this.surface as unknown as HTMLElement);
     this.controls.maxDistance = 120;
     this.controls.addEventListener("change", () => (this.stirred = true));
     this.scene.background = new Color("#0b1015");
     const sun = new DirectionalLight("#ffffff", 2);
     sun.position.set(4, -6, 10);
     this.scene.add(this.grid, new AmbientLight("#ffffff", 1.2), sun);
-    this.setView("follow");
-    this.observer.observe(host);
-    this.fit();
     this.loop();
   }
 
+  take(message: Exclude<ToScene, { kind: "begin" }>): void {
+    if (message.kind === "input") this.surface.hand(message.event);
+    else if (message.kind === "size") this.fit(message.width, message.height);
+    else if (message.kind === "look") this.look(message.view, message.cut);
+    else {
+      this.known.apply(message.news);
+      this.heard_ms = performance.now();
+      this.updated = false;
+    }
+  }
+
+  /** Draws no more by itself: for probe/scene.mjs. */
+  halt(): void {
+    cancelAnimationFrame(this.request);
+  }
+
   /** Follow and top move with the chosen vehicle; orbit stays. The mouse turns and zooms in all. */
-  setView(kind: ViewKind): void {
+  private look(kind: ViewKind, cut: boolean): void {
+    if (cut !== this.cut) this.updated = false;
+    this.cut = cut;
+    if (kind === this.kind) return;
     this.kind = kind;
     this.placed = false;
     this.stirred = true;
     this.controls.enableRotate = kind !== "top";
-    this.host.dataset["view"] = kind;
-  }
-
-  destroy(): void {
-    cancelAnimationFrame(this.request);
-    this.observer.disconnect();
-    this.labels.forEach((label) => label.remove());
-    this.controls.dispose();
-    this.renderer.dispose();
-    this.renderer.domElement.remove();
   }
 
   private readonly loop = (): void => {
     this.request = requestAnimationFrame(this.loop);
     const now_ms = performance.now();
-    if (this.size.width === 0 || !this.pace.isDue(now_ms)) return;
-    if (this.isOld(now_ms)) this.update();
+    if (this.surface.clientWidth === 0 || !this.pace.isDue(now_ms)) return;
+    if (!this.updated) this.update();
     this.moveCamera();
-    if (this.stirred) this.draw(now_ms);
-    else this.wantedAll = false;
+    if (this.stirred) this.draw();
+    else if (now_ms - this.heard_ms > idle_ms) this.wantedAll = false;
     this.script_ms += performance.now() - now_ms;
     this.count(now_ms);
   };
 
-  private isOld(now_ms: number): boolean {
-    const { fresh } = this.session;
-    if (fresh === this.drawnFresh && this.cut === this.drawnCut &&
-      now_ms - this.drawn_ms < longest_ms) return false;
-    this.drawnFresh = fresh;
-    this.drawnCut = this.cut;
-    return this.stirred = true;
-  }
-
-  private draw(now_ms: number): void {
+  private draw(): void {
     this.stirred = false;
-    this.drawn_ms = now_ms;
     this.frames++;
     this.renderer.render(this.scene, this.camera);
-    this.placeLabels();
-    if (this.placed && !this.host.dataset["first"]) this.host.dataset["first"] = now_ms.toFixed(0);
+    this.tell({ kind: "drawn", labels: this.labels(), placed: this.placed });
   }
 
-  private fit(): void {
-    const { clientWidth: width, clientHeight: height } = this.host;
-    this.size = { width, height };
+  private fit(width: number, height: number): void {
+    Object.assign(this.surface, { clientWidth: width, clientHeight: height });
     if (width === 0 || height === 0) return;
-    this.renderer.setSize(width, height);
+    this.renderer.setSize(width, height, false);
     this.stirred = true;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
   }
 
+  // The next news are asked for at once, so that they are there for the next picture.
   private update(): void {
-    const { state, vehicle: chosen, generation } = this.session;
-    if (generation !== this.generation) this.clear(generation);
-    for (const vehicle of state.vehicles.values()) {
+    this.tell({ kind: "ask" });
+    this.updated = this.stirred = true;
+    const { known } = this;
+    if (known.generation !== this.generation) this.clear();
+    for (const vehicle of known.vehicles.values()) {
       let view = this.vehicles.get(vehicle.name);
       if (!view) {
-        view = new VehicleView(vehicle);
+        view = new VehicleView(vehicle.index);
         this.vehicles.set(vehicle.name, view);
         this.scene.add(view.group);
       }
-      view.update(state, vehicle, vehicle === chosen, this.cut ? cutHeight_m : Infinity);
+      view.update(known.now_s, vehicle, vehicle.name === known.chosen,
+        this.cut ? cutHeight_m : Infinity);
     }
   }
 
-  private clear(generation: number): void {
-    this.generation = generation;
+  private clear(): void {
+    this.generation = this.known.generation;
     this.vehicles.forEach((view) => this.scene.remove(view.group));
     this.vehicles.clear();
-    this.labels.forEach((label) => label.remove());
-    this.labels.clear();
   }
 
   private moveCamera(): void {
-    if (this.session.vehicle) this.follow(this.session.vehicle);
+    const chosen = this.known.vehicles.get(this.known.chosen);
+    if (chosen) this.follow(chosen);
     this.controls.update(); // tells if it moved
   }
 
-  private follow(vehicle: Vehicle): void {
+  private follow(vehicle: SeenVehicle): void {
     const p = vehicle.latest["odometry"]?.message.pose.pose.position;
     if (!p) return;
     const target = vehicle.latest["target/state"]?.message;
@@ -185,26 +179,16 @@ export class SceneView {
     this.camera.position.copy(focus).addScaledVector(offset, far);
   }
 
-  private placeLabels(): void {
-    const { width, height } = this.size;
-    for (const vehicle of this.session.state.vehicles.values()) {
-      const p = vehicle.latest["odometry"]?.message.pose.pose.position;
-      if (!p) continue;
-      let label = this.labels.get(vehicle.name);
-      if (!label) {
-        label = document.createElement("span");
-        label.className = "label";
-        label.textContent = vehicle.name;
-        this.host.append(label);
-        this.labels.set(vehicle.name, label);
-      }
+  private labels(): Label[] {
+    const { clientWidth: width, clientHeight: height } = this.surface;
+    return [...this.known.vehicles.values()].flatMap(({ name, latest }) => {
+      const p = latest["odometry"]?.message.pose.pose.position;
+      if (!p) return [];
       const at = this.corner.set(p.x, p.y, p.z + 0.4).project(this.camera);
-      const [x, y] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
       const hidden = at.z > 1 || Math.abs(at.x) > 1.1 || Math.abs(at.y) > 1.1;
-      if (label.hidden !== hidden) label.hidden = hidden;
-      if (!hidden) label.style.transform =
-        `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px) translate(-50%, -100%)`;
-    }
+      return [{ name, hidden, x: Math.round(((at.x + 1) / 2) * width),
+        y: Math.round(((1 - at.y) / 2) * height) }];
+    });
   }
 
   private count(now_ms: number): void {
@@ -212,9 +196,9 @@ export class SceneView {
     if (elapsed_ms < 1000) return;
     const fps = (1000 * this.frames) / elapsed_ms;
     const { triangles, calls } = this.renderer.info.render;
-    Object.assign(this.host.dataset, { fps: fps.toFixed(1), triangles, calls,
-      script: (this.script_ms / Math.max(1, this.frames)).toFixed(2),
-      ratio: this.renderer.getPixelRatio().toFixed(2) });
+    this.tell({ kind: "counted", counts: { fps: fps.toFixed(1), triangles: `${triangles}`,
+      calls: `${calls}`, script: (this.script_ms / Math.max(1, this.frames)).toFixed(2),
+      ratio: this.renderer.getPixelRatio().toFixed(2) } });
     if (this.wantedAll) this.pace.adapt(fps);
     if (this.pace.ratio !== this.renderer.getPixelRatio()) {
       this.renderer.setPixelRatio(this.pace.ratio);

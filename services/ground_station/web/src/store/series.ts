@@ -49,9 +49,11 @@ export class Series {
   }
 }
 
+export interface TrailPoint { time_s: number; x: number; y: number; z: number }
+
 /** Where something has been, one point every min_m, for keep_s. */
 export class Trail {
-  points: { time_s: number; x: number; y: number; z: number }[] = [];
+  points: TrailPoint[] = [];
   version = 0;
   constructor(private readonly min_m = 0.1, private readonly keep_s = 90,
               private readonly jump_m = 5) {}

@@ -128,6 +128,6 @@ export function makeVehicle(name: string, before: number): Vehicle {
 }
 
 /** Negative: it never came. */
-export function age_s(state: State, heard: { time_s: number } | undefined): number {
+export function age_s(state: { now_s: number }, heard: { time_s: number } | undefined): number {
   return heard ? Math.max(0, state.now_s - heard.time_s) : -1;
 }

@@ -45,6 +45,29 @@ test("each vehicle has a card, and the chosen one is described", async () => {
   assert.deepEqual(page.problems, []);
 });
 
+test("the scene is drawn beside the page, and turned by the mouse", async () => {
+  const drawing = await launch({ scene: true });
+  const seen = await open(drawing, station.url);
+  await seen.waitForSelector("[data-first]");
+  await seen.getByRole("button", { name: "Orbit" }).click(); // it stays, where nobody turns it
+  await expectText(seen, ".scene .label", /uav1/);
+  const yaw = () => seen.workers()[0]!.evaluate("self.view.controls.getAzimuthalAngle()");
+  const before = Number(await yaw());
+  const box = (await seen.locator(".scene canvas").boundingBox())!;
+  await seen.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await seen.mouse.down();
+  await seen.mouse.move(box.x + box.width / 2 + 100, box.y + box.height / 2, { steps: 5 });
+  await seen.mouse.up();
+  const turned = (2 * Math.PI * 100) / box.height; // as OrbitControls has it
+  const end = Date.now() + 20000;
+  while (Math.abs(Math.sin((Number(await yaw()) - before + turned) / 2)) > 0.01) {
+    assert.ok(Date.now() < end, `${before} → ${await yaw()}, ${turned} expected`);
+    await seen.waitForTimeout(100);
+  }
+  assert.deepEqual(seen.problems, []);
+  await drawing.close();
+});
+
 test("the plots tell the newest values", async () => {
   await expectText(page, '[data-chart="Image to setpoint"] .values', /80 ms/);
   await expectText(page, '[data-chart="Plan time"] .values', /predict 2\.5 ms.*path 1\.5 ms/);
