@@ -84,6 +84,7 @@ Station::Station(const StationOptions& options, Stop& stop)
     commander_ =
         std::make_unique<Commander>(node, options_.enable_control,
                                     [this](const std::string& topic) { bus_->expect_own(topic); });
+    commander_->on_unanswered = [this](const std::string& why) { bus_->ask_to_rejoin(why); };
     bus_->on_rejoin = [this](std::shared_ptr<Node> fresh) {
       server_.post([this, fresh = std::move(fresh)] { commander_->move_to(fresh); });
     };

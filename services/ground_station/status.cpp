@@ -45,11 +45,19 @@ Json command_of(const MissionStatus* m) {
           {"reason", m->reason}};
 }
 
+Json unconfirmed_of(const MissionStatus* m) {
+  if (!m || !m->unconfirmed) return nullptr;
+  return {{"command", m->unconfirmed->command},
+          {"operator", m->unconfirmed->operator_name},
+          {"still_sent", m->unconfirmed->still_sent}};
+}
+
 Json json_of(const VehicleReport& v, const MissionStatus* mission) {
   return {{"name", v.name},
           {"seen_s_ago", v.seen_s_ago < 0.0 ? Json() : Json(v.seen_s_ago)},
           {"lease", lease_of(mission)},
-          {"last_command", command_of(mission)}};
+          {"last_command", command_of(mission)},
+          {"unconfirmed", unconfirmed_of(mission)}};
 }
 
 Json json_of(const ClientReport& c) {

@@ -26,12 +26,19 @@ struct RecordingStatus {
   std::uint64_t lost = 0;  // samples that the disk could not take
 };
 
+/// An order that the gate does not answer.
+struct Unconfirmed {
+  std::string command, operator_name;
+  bool still_sent = false;  // else it was given up
+};
+
 /// What the gate of a vehicle says of orders.
 struct MissionStatus {
   std::string lease_operator;  // empty: nobody holds it
   double lease_expires_s = 0.0;
   std::uint64_t command_id = 0;  // 0: there was none
   std::string command, operator_name, result, reason;
+  std::optional<Unconfirmed> unconfirmed;
 };
 
 struct Status {

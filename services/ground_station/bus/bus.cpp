@@ -85,6 +85,11 @@ void Bus::expect_own(const std::string& wire) {
   own_.insert(wire);
 }
 
+void Bus::ask_to_rejoin(const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  asked_to_rejoin_ = why;
+}
+
 std::vector<TopicReport> Bus::topics() const {
   const std::lock_guard lock(mutex_);
   return topic_reports_;
@@ -226,18 +231,26 @@ void Bus::publish(double now_s) {
     vehicle_reports_.push_back({name, last_s < 0.0 ? -1.0 : now_s - last_s});
 }
 
+std::string Bus::reason_to_rejoin(double now_s) {
+  std::string asked;
+  {
+    const std::lock_guard lock(mutex_);
+    asked.swap(asked_to_rejoin_);
+  }
+  if (stood_still_s_ > 0.0)
+    return fmt::format(
+        "nothing was done for {:.1f} s, so that others may have dropped this participant",
+        stood_still_s_);
+  return asked.empty() ? hearing_.complaint(node_->peers(), now_s) : asked;
+}
+
 void Bus::heal(double now_s) {
   const double round_s = boot_s();
   if (round_s_ >= 0.0 && round_s - round_s_ > 0.5 * node_->lease_s())
     stood_still_s_ = round_s - round_s_;
   round_s_ = round_s;
+  const auto why = reason_to_rejoin(now_s);
   if (now_s - rejoined_s_ < kRejoinPeriod_s) return;
-  const auto why = stood_still_s_ > 0.0
-                       ? fmt::format(
-                             "nothing was done for {:.1f} s, so that others may have "
-                             "dropped this participant",
-                             stood_still_s_)
-                       : hearing_.complaint(node_->peers(), now_s);
   if (why.empty()) return;
   node_->report(why + ": joining the bus anew");
   rejoined_s_ = now_s;

@@ -35,6 +35,8 @@ class Bus : public Source {
   /// The station itself writes this topic (name on the wire), so it is read though discovery tells
   /// of no writer. From any thread.
   void expect_own(const std::string& wire);
+  /// Joins the bus anew, unless it did so lately. From any thread.
+  void ask_to_rejoin(const std::string& why);
   std::vector<TopicReport> topics() const override;
   std::vector<VehicleReport> vehicles() const override;
 
@@ -63,6 +65,7 @@ class Bus : public Source {
   void take(double now_s);
   void publish(double now_s);
   void heal(double now_s);
+  std::string reason_to_rejoin(double now_s);
   void rejoin();
 
   std::shared_ptr<Node> node_;
@@ -82,6 +85,7 @@ class Bus : public Source {
   mutable std::mutex mutex_;  // guards what follows
   std::set<std::uint32_t> wanted_;
   std::set<std::string> own_;
+  std::string asked_to_rejoin_;  // why; empty: nobody did
   std::vector<TopicReport> topic_reports_;
   std::vector<VehicleReport> vehicle_reports_;
 };

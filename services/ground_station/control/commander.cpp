@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/SafetyState.h"
@@ -13,18 +14,10 @@
 namespace foretrack::station {
 namespace {
 
-using Command = foretrack_msgs::msg::MissionCommand;
 using SafetyState = foretrack_msgs::msg::SafetyState;
 
 constexpr double kLease_s = 60.0;
-constexpr double kRenew_s = 1.0;     // the gate's own lease lasts 5 s
-constexpr double kPatience_s = 2.0;  // for the gate's answer
-constexpr double kRepeatStop_s = 0.1;
-constexpr double kSimulated_s = 1e8;  // stamps before 1973 are of a simulated clock
-
-bool is_about_lease(MissionOrder order) {
-  return order == MissionOrder::kLease || order == MissionOrder::kRelease;
-}
+constexpr double kRenew_s = 1.0;  // the gate's own lease lasts 5 s
 
 std::string wire_name(const std::string& vehicle) {
   Names names;
@@ -32,9 +25,15 @@ std::string wire_name(const std::string& vehicle) {
   return topic_name(topics::MissionCommand::info, names);
 }
 
+bool stops(const auto& pending) {
+  return std::any_of(pending.begin(), pending.end(),
+                     [](const auto& p) { return p.order == MissionOrder::kStop; });
+}
+
 std::unique_ptr<RawWriter> make_writer(Node& node, const std::string& topic) {
-  return std::make_unique<RawWriter>(node, RawTopic{topic, TypeName<Command>::value, false},
-                                     topics::MissionCommand::info.profile);
+  return std::make_unique<RawWriter>(
+      node, RawTopic{topic, TypeName<foretrack_msgs::msg::MissionCommand>::value, false},
+      topics::MissionCommand::info.profile);
 }
 
 }  // namespace
@@ -45,9 +44,23 @@ Commander::Commander(std::shared_ptr<Node> node, bool may_order,
 Commander::~Commander() = default;
 
 void Commander::move_to(std::shared_ptr<Node> node) {
-  for (auto& [name, vehicle] : vehicles_)
-    if (vehicle.writer) vehicle.writer = make_writer(*node, wire_name(name));
-  node_ = std::move(node);
+  for (auto& [name, vehicle] : vehicles_) {
+    if (!vehicle.writer) continue;
+    vehicle.former = stops(vehicle.pending) ? std::move(vehicle.writer) : nullptr;
+    vehicle.writer = make_writer(*node, wire_name(name));
+    for (auto& pending : vehicle.pending) pending.next_s = 0.0;
+  }
+  former_node_ = std::exchange(node_, std::move(node));
+  forget_former();
+}
+
+void Commander::forget_former() {
+  bool needed = false;
+  for (auto& [name, vehicle] : vehicles_) {
+    if (!stops(vehicle.pending)) vehicle.former.reset();
+    needed |= vehicle.former != nullptr;
+  }
+  if (!needed) former_node_.reset();
 }
 
 void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_s) {
@@ -79,53 +92,6 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
     mission.reason = ok ? "" : to_string(result);
   }
   settle(vehicle, state.command_id(), result);
-}
-
-void Commander::settle(Vehicle& vehicle, std::uint64_t command_id, MissionResult result) {
-  std::vector<std::pair<Report, Outcome>> done;
-  std::erase_if(vehicle.pending, [&](Pending& p) {
-    const bool answered = std::find(p.sent.begin(), p.sent.end(), command_id) != p.sent.end();
-    if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && vehicle.stopped))
-      return false;
-    const bool ok = !answered || result == MissionResult::kAccepted;
-    done.emplace_back(std::move(p.report), Outcome{ok, ok ? "" : std::string(to_string(result))});
-    return true;
-  });
-  for (const auto& [report, outcome] : done) report(outcome);
-}
-
-std::uint64_t Commander::next_id() {
-  const auto now_us = static_cast<std::uint64_t>(now_ns() / 1000);
-  return last_id_ = std::max(now_us, last_id_ + 1);
-}
-
-void Commander::send(Vehicle& vehicle, Pending& pending, double now_s) {
-  const bool simulated = vehicle.stamp_s < kSimulated_s;
-  const double stamp_s = simulated ? vehicle.stamp_s + (now_s - vehicle.lease_heard_s)
-                                   : static_cast<double>(now_ns()) * 1e-9;
-  Command command;
-  command.header().stamp(to_stamp(stamp_s));
-  command.id(pending.sent.empty() ? pending.id : next_id());
-  command.command(static_cast<std::uint8_t>(pending.order));
-  command.operator_id(pending.name);
-  command.lease_id(pending.lease_id);
-  pending.sent.push_back(command.id());
-  pending.next_s = pending.order == MissionOrder::kStop ? now_s + kRepeatStop_s : 1e18;
-  vehicle.writer->write(to_cdr(type_ops<Command>(), &command));
-}
-
-void Commander::order(Vehicle& vehicle, MissionOrder order, const std::string& name,
-                      const std::string& lease_id, double now_s, Report report) {
-  Pending pending;
-  pending.id = next_id();
-  pending.order = order;
-  pending.name = name;
-  pending.lease_id = lease_id;
-  pending.deadline_s = now_s + kPatience_s;
-  pending.next_s = now_s;
-  pending.report = std::move(report);
-  vehicle.pending.push_back(std::move(pending));
-  if (vehicle.writer->readers() > 0) send(vehicle, vehicle.pending.back(), now_s);
 }
 
 Commander::Vehicle* Commander::find(const std::string& name, const Report& report) {
@@ -211,22 +177,6 @@ void Commander::renew(Vehicle& vehicle, double now_s) {
         });
 }
 
-void Commander::tick(double now_s) {
-  for (auto& [name, vehicle] : vehicles_) {
-    if (!vehicle.writer) continue;
-    std::vector<std::pair<Report, Outcome>> late;
-    for (auto& pending : vehicle.pending)
-      if (now_s >= pending.next_s && vehicle.writer->readers() > 0) send(vehicle, pending, now_s);
-    std::erase_if(vehicle.pending, [&](Pending& p) {
-      if (now_s < p.deadline_s) return false;
-      late.emplace_back(std::move(p.report), Outcome{false, "the safety gate did not answer"});
-      return true;
-    });
-    for (const auto& [report, outcome] : late) report(outcome);
-    renew(vehicle, now_s);
-  }
-}
-
 std::map<std::string, MissionStatus> Commander::missions(double now_s) const {
   std::map<std::string, MissionStatus> result;
   for (const auto& [name, vehicle] : vehicles_) {
@@ -235,6 +185,7 @@ std::map<std::string, MissionStatus> Commander::missions(double now_s) const {
         std::max(0.0, mission.lease_expires_s - (now_s - vehicle.lease_heard_s));
     if (vehicle.lease) mission.lease_expires_s = std::max(0.0, vehicle.lease->until_s - now_s);
     if (mission.lease_expires_s == 0.0) mission.lease_operator.clear();
+    mission.unconfirmed = unconfirmed(vehicle, now_s);
     result[name] = mission;
   }
   return result;

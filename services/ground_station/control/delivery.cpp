@@ -1,0 +1,130 @@
+// How an order gets to the gate: sent, answered, sent again, given up.
+#include <algorithm>
+#include <utility>
+
+#include "foretrack_msgs/msg/MissionCommand.h"
+#include "services/common/clock.hpp"
+#include "services/ground_station/bus/channel.hpp"
+#include "services/ground_station/control/commander.hpp"
+
+namespace foretrack::station {
+namespace {
+
+constexpr double kConfirm_s = 1.0;   // in which a gate that hears an order answers
+constexpr double kPatience_s = 4.0;  // with the second try; the page waits for 5 s
+constexpr double kStopPatience_s = 60.0;
+constexpr double kRepeatStop_s = 0.1;
+constexpr double kHeard_s = 0.5;      // the gate speaks at 20 Hz
+constexpr double kSimulated_s = 1e8;  // stamps before 1973 are of a simulated clock
+
+}  // namespace
+
+bool Commander::is_about_lease(MissionOrder order) {
+  return order == MissionOrder::kLease || order == MissionOrder::kRelease;
+}
+
+std::uint64_t Commander::next_id() {
+  const auto now_us = static_cast<std::uint64_t>(now_ns() / 1000);
+  return last_id_ = std::max(now_us, last_id_ + 1);
+}
+
+void Commander::order(Vehicle& vehicle, MissionOrder order, const std::string& name,
+                      const std::string& lease_id, double now_s, Report report) {
+  Pending pending;
+  pending.id = next_id();
+  pending.order = order;
+  pending.name = name;
+  pending.lease_id = lease_id;
+  pending.since_s = pending.next_s = now_s;
+  pending.report = std::move(report);
+  vehicle.pending.push_back(std::move(pending));
+  if (vehicle.writer->readers() > 0) send(vehicle, vehicle.pending.back(), now_s);
+}
+
+void Commander::send(Vehicle& vehicle, Pending& pending, double now_s) {
+  const bool simulated = vehicle.stamp_s < kSimulated_s;
+  const double stamp_s = simulated ? vehicle.stamp_s + (now_s - vehicle.lease_heard_s)
+                                   : static_cast<double>(now_ns()) * 1e-9;
+  foretrack_msgs::msg::MissionCommand command;
+  command.header().stamp(to_stamp(stamp_s));
+  command.id(pending.sent.empty() ? pending.id : next_id());
+  command.command(static_cast<std::uint8_t>(pending.order));
+  command.operator_id(pending.name);
+  command.lease_id(pending.lease_id);
+  pending.sent.push_back(command.id());
+  pending.next_s = pending.order == MissionOrder::kStop ? now_s + kRepeatStop_s : 1e18;
+  const auto bytes = to_cdr(type_ops<foretrack_msgs::msg::MissionCommand>(), &command);
+  vehicle.writer->write(bytes);
+  if (vehicle.former && pending.order == MissionOrder::kStop) vehicle.former->write(bytes);
+}
+
+void Commander::settle(Vehicle& vehicle, std::uint64_t command_id, MissionResult result) {
+  std::vector<std::pair<Report, Outcome>> done;
+  std::erase_if(vehicle.pending, [&](Pending& p) {
+    const bool answered = std::find(p.sent.begin(), p.sent.end(), command_id) != p.sent.end();
+    if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && vehicle.stopped))
+      return false;
+    const bool ok = !answered || result == MissionResult::kAccepted;
+    vehicle.gave_up.reset();
+    if (!p.report) return true;
+    done.emplace_back(std::move(p.report), Outcome{ok, ok ? "" : std::string(to_string(result))});
+    return true;
+  });
+  for (const auto& [report, outcome] : done) report(outcome);
+}
+
+// Sends once more what was not answered; and if the gate is heard, it is the way to it that fails.
+void Commander::doubt(const std::string& name, Vehicle& vehicle, double now_s) {
+  for (auto& pending : vehicle.pending) {
+    if (pending.retried || now_s - pending.since_s < kConfirm_s) continue;
+    pending.retried = true;
+    pending.next_s = now_s;
+    if (now_s - vehicle.lease_heard_s < kHeard_s && on_unanswered)
+      on_unanswered("the safety gate of " + name + " does not answer the order to " +
+                    std::string(to_string(pending.order)));
+  }
+}
+
+// Whoever gave the order is told. A STOP goes on.
+void Commander::expire(Vehicle& vehicle, double now_s) {
+  std::vector<std::pair<Report, Outcome>> late;
+  std::erase_if(vehicle.pending, [&](Pending& p) {
+    const bool is_stop = p.order == MissionOrder::kStop;
+    if (now_s - p.since_s < kPatience_s) return false;
+    if (p.report)
+      late.emplace_back(std::exchange(p.report, nullptr),
+                        Outcome{false, is_stop ? "the safety gate did not answer: STOP goes on"
+                                               : "the safety gate did not answer"});
+    if (is_stop && now_s - p.since_s < kStopPatience_s) return false;
+    if (!is_about_lease(p.order))
+      vehicle.gave_up = Unconfirmed{std::string(to_string(p.order)), p.name, false};
+    return true;
+  });
+  for (const auto& [report, outcome] : late) report(outcome);
+}
+
+void Commander::tick(double now_s) {
+  for (auto& [name, vehicle] : vehicles_) {
+    if (!vehicle.writer) continue;
+    doubt(name, vehicle, now_s);
+    const int readers =
+        vehicle.writer->readers() + (vehicle.former ? vehicle.former->readers() : 0);
+    for (auto& pending : vehicle.pending)
+      if (now_s >= pending.next_s && readers > 0) send(vehicle, pending, now_s);
+    expire(vehicle, now_s);
+    renew(vehicle, now_s);
+  }
+  if (former_node_) forget_former();
+}
+
+// A lease that a vehicle out of reach does not confirm is no news.
+std::optional<Unconfirmed> Commander::unconfirmed(const Vehicle& vehicle, double now_s) {
+  for (const auto& p : vehicle.pending) {
+    if (now_s - p.since_s < kConfirm_s) continue;
+    if (is_about_lease(p.order) && now_s - vehicle.lease_heard_s > kHeard_s) continue;
+    return Unconfirmed{std::string(to_string(p.order)), p.name, true};
+  }
+  return vehicle.gave_up;
+}
+
+}  // namespace foretrack::station
