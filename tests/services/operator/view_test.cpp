@@ -47,6 +47,18 @@ TEST(View, NamesTheMostProbableIntentionInTheStatusLine) {
   EXPECT_DOUBLE_EQ(to_json(picture)["intention"]["turn_left"], 0.7);
 }
 
+TEST(View, SaysWhyAServiceIsDegraded) {
+  Picture picture;
+  picture.services.emplace_back();
+  auto& health = picture.services.back().health;
+  health.service("perception");
+  health.last_error("several people could be the one who is followed");
+  health.state(foretrack_msgs::msg::ServiceHealth_Constants::STATE_RUNNING);
+  EXPECT_THAT(draw(picture, {}), Not(HasSubstr("several people")));
+  health.state(foretrack_msgs::msg::ServiceHealth_Constants::STATE_DEGRADED);
+  EXPECT_THAT(draw(picture, {}), HasSubstr("several people could be the one who is followed"));
+}
+
 TEST(Rate, IsThatOfTheLastSecondsOnly) {
   RateMeter meter;
   double rate_hz = 0.0;

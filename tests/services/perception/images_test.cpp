@@ -74,6 +74,22 @@ TEST_F(ImagesOnDds, AnEmptyImageMakesTheTrackCoastAndThePersonIsFoundAgain) {
       neighbours_.until([&] { return says(TrackStatus::kTracking); }, [&] { feed(picture_); }));
 }
 
+TEST_F(ImagesOnDds, DoubtAboutWhoIsFollowedIsSaidInHealth) {
+  // The man at the left stands at the right, too.
+  RgbImage two = picture_;
+  const auto row = static_cast<std::size_t>(two.width_px) * 3;
+  for (std::size_t begin = 0; begin < two.rgb.size(); begin += row)
+    for (std::size_t pixel = 0; pixel < 3 * 240; pixel += 3)
+      std::copy_n(&two.rgb[begin + pixel], 3, &two.rgb[begin + row - 3 - pixel]);
+  Reader<topics::ServiceHealth> health{neighbours_.node()};
+  std::string trouble;
+  const auto doubts = [&] {
+    health.take_each([&](const auto& m) { trouble = m.last_error().c_str(); });
+    return trouble.starts_with("several people could be the one who is followed");
+  };
+  EXPECT_TRUE(neighbours_.until(doubts, [&] { feed(two); })) << trouble;
+}
+
 TEST_F(ImagesOnDds, BadAndLateImagesAreRefusedByNameAndGoodOnesStillCount) {
   const auto send_bad = [&] {
     feed(picture_, 1.0);

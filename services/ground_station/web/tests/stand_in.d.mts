@@ -4,6 +4,8 @@ export interface StandIn {
   band_m: [number, number];
   killed: Set<string>;
   mismatched: Set<string>;
+  doubtful: Set<string>;
+  unconfirmed: Map<string, { command: string; operator: string; still_sent: boolean }>;
   received: string[];
   recordings: Map<string, Uint8Array>;
   close(): void;

@@ -22,6 +22,8 @@ class StandIn {
   silent = new Set(); // vehicles of which nothing comes
   killed = new Set(); // services whose health does not come
   mismatched = new Set(); // topics whose quality of service does not match
+  doubtful = new Set(); // vehicles whose perception sees several people
+  unconfirmed = new Map(); // orders that the gate does not answer, by vehicle
   band_m = [1.5, 2.5]; // that the planners keep
   received = []; // orders, as they came
   recordings = new Map(); // bytes by file name
@@ -102,9 +104,16 @@ class StandIn {
         for (const [topic, message] of samplesAt(this.step / 100, this.step, index,
           this.orders.get(name)))
           if (!this.killed.has(message.service))
-            this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
+            this.send(`/${name}/${topic}`, typeOf(topic),
+              encode(typeOf(topic), this.troubled(name, message)));
       });
     }
+  }
+
+  troubled(name, message) {
+    if (message.service !== "perception" || !this.doubtful.has(name)) return message;
+    return { ...message, state: 2,
+      last_error: "several people could be the one who is followed; see the image" };
   }
 
   status() {
@@ -113,7 +122,8 @@ class StandIn {
         clients: this.clients.size, control_enabled: true, needs_token: false },
       vehicles: this.names.map((name) => ({ name, seen_s_ago: 0,
         lease: this.leases.has(name) ? { operator: this.leases.get(name), expires_s: 30 } : null,
-        last_command: this.last.get(name) ?? null })),
+        last_command: this.last.get(name) ?? null,
+        unconfirmed: this.unconfirmed.get(name) ?? null })),
       recording: null, clients: [],
       topics: [...this.channels.values()].map((c) => ({ topic: c.topic, type: c.schemaName,
         vehicle: c.topic.split("/")[1], writers: 1, readers: 2, rate_hz: 25, bytes_s: 9000,

@@ -7,6 +7,7 @@ export interface StationVehicle {
   last_command: {
     id: number; command: string; operator: string; result: string; reason: string;
   } | null;
+  unconfirmed?: { command: string; operator: string; still_sent: boolean } | null;
 }
 
 export interface StationTopic {

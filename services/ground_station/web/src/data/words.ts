@@ -64,3 +64,10 @@ export const ServiceState = { starting: 0, running: 1, degraded: 2, stopping: 3 
 /** A lease is renewed by an order every second. */
 export const leaseCommand = 6;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;
+
+export const severalPeople = "several people could be the one who is followed";
+
+/** Perception's doubt, in its own words. */
+export function saysSeveralPeople(health: { state: number; last_error: string }): boolean {
+  return health.state === ServiceState.degraded && health.last_error.startsWith(severalPeople);
+}

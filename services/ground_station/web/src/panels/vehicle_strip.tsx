@@ -1,5 +1,7 @@
 // One card a vehicle: mode, health, age of the link, battery, rates, losses, who has control.
-import { batteryWord, modeWord, phaseWord, serviceWord, ServiceState } from "../data/words.ts";
+import {
+  batteryWord, modeWord, phaseWord, saysSeveralPeople, serviceWord, ServiceState,
+} from "../data/words.ts";
 import { severityOf } from "../store/fold_vehicle.ts";
 import { age_s, type State, type Vehicle } from "../store/state.ts";
 import { gone_s, silent_s, stale_s } from "../store/watch.ts";
@@ -25,17 +27,20 @@ function modeOf(state: State, vehicle: Vehicle) {
 /** The worst of its services. */
 export function healthOf(state: State, vehicle: Vehicle): { mood: Mood; text: string } {
   const bad: string[] = [];
-  let silent = 0;
+  let [silent, doubtful] = [0, false];
   for (const [name, heard] of vehicle.services) {
     const isSilent = age_s(state, heard) > silent_s;
     if (!isSilent && heard.message.state === ServiceState.running) continue;
-    bad.push(`${name} ${isSilent ? "silent" : serviceWord(heard.message.state)}`);
+    const inDoubt = !isSilent && saysSeveralPeople(heard.message);
+    doubtful ||= inDoubt;
+    bad.push(inDoubt ? "several people: which one?"
+      : `${name} ${isSilent ? "silent" : serviceWord(heard.message.state)}`);
     if (isSilent) silent++;
   }
   const count = vehicle.services.size;
   if (count === 0) return { mood: "quiet", text: "no health" };
   if (bad.length === 0) return { mood: "good", text: `${count} services well` };
-  const mood = silent > 0 ? "alarm" : "warning";
+  const mood = silent > 0 || doubtful ? "alarm" : "warning";
   if (silent > 2) return { mood, text: `${silent} of ${count} services silent` };
   return { mood, text: bad.join(", ") };
 }
@@ -76,6 +81,8 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
   const health = healthOf(state, vehicle);
   const lost = losses(vehicle);
   const link_s = state.now_s - vehicle.heard_s;
+  const unconfirmed = session.replay ? null
+    : session.liveState.station?.message.vehicles.find((v) => v.name === vehicle.name)?.unconfirmed;
   const holder = session.replay ? vehicle.latest["safety/state"]?.message.lease_operator
     : session.liveState.station?.message.vehicles.find((v) => v.name === vehicle.name)?.lease
       ?.operator;
@@ -86,6 +93,9 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
       <span class="name"><i style={{ background: colorOf(vehicle.index) }} />{vehicle.name}</span>
       {modeOf(state, vehicle)}
       <span data-field="health"><Badge mood={health.mood}>{health.text}</Badge></span>
+      {unconfirmed ? (
+        <span data-field="order"><Badge mood="alarm">{unconfirmed.command} not confirmed</Badge></span>
+      ) : null}
       <dl>
         <dt>link</dt><dd data-field="link" class={link_s > stale_s ? "bad" : ""}>{age(link_s)}</dd>
         <dt>battery</dt><dd data-field="battery">{battery(state, vehicle)}</dd>

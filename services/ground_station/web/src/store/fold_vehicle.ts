@@ -132,7 +132,9 @@ const foldCommand: Fold = (state, vehicle, { message }) => {
 
 const foldHealth: Fold = (state, vehicle, { message }) => {
   const health = message as ServiceHealth;
-  const degraded = health.state === ServiceState.degraded;
+  const doubtful = words.saysSeveralPeople(health);
+  hold(state, vehicle.name, `person ${health.service}`, doubtful, "alarm", words.severalPeople);
+  const degraded = health.state === ServiceState.degraded && !doubtful;
   hold(state, vehicle.name, `service ${health.service}`, degraded, "warning",
     `${health.service}: degraded, ${health.last_error}`);
   hold(state, vehicle.name, `foreign ${health.service}`, health.foreign_endpoints > 0, "warning",

@@ -28,6 +28,10 @@ export function watchTime(state: State): void {
 export function hearStation(state: State, status: StationStatus): void {
   const fault = status.recording_fault ?? "";
   hold(state, "", "recording", fault !== "", "alarm", fault);
+  for (const { name, unconfirmed } of status.vehicles)
+    hold(state, name, "order", Boolean(unconfirmed), "alarm", `${unconfirmed?.command} of ` +
+      `${unconfirmed?.operator}: not confirmed by the safety gate, ` +
+      (unconfirmed?.still_sent ? "still being sent" : "given up"));
   for (const topic of status.topics) {
     hold(state, topic.vehicle ?? "", `qos ${topic.topic}`, Boolean(topic.qos_mismatch), "warning",
       `${topic.topic}: quality of service does not match`);

@@ -6,7 +6,8 @@ export async function order(session: Session, vehicle: string, command: Command)
   if (!vehicle) return session.notice("no vehicle to command");
   session.notice(`${command} ${vehicle} …`);
   const { ok, reason } = await session.operator.command(vehicle, command);
-  const result = ok ? "sent" : `refused, ${reason}`;
+  const lost = reason.startsWith("the safety gate did not answer");
+  const result = ok ? "sent" : `${lost ? "NOT CONFIRMED" : "refused"}, ${reason}`;
   session.notice(`${command} ${vehicle}: ${result}`, !ok);
 }
 

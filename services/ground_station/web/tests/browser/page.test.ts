@@ -51,6 +51,10 @@ test("the scene is drawn beside the page, and turned by the mouse", async () => 
   await seen.waitForSelector("[data-first]");
   await seen.getByRole("button", { name: "Orbit" }).click(); // it stays, where nobody turns it
   await expectText(seen, ".scene .label", /uav1/);
+  const end = Date.now() + 20000;
+  const settled = () =>
+    seen.workers()[0]!.evaluate("self.view.kind === 'orbit' && self.view.placed");
+  while (!(await settled())) assert.ok(Date.now() < end);
   const yaw = () => seen.workers()[0]!.evaluate("self.view.controls.getAzimuthalAngle()");
   const before = Number(await yaw());
   const box = (await seen.locator(".scene canvas").boundingBox())!;
@@ -59,7 +63,6 @@ test("the scene is drawn beside the page, and turned by the mouse", async () => 
   await seen.mouse.move(box.x + box.width / 2 + 100, box.y + box.height / 2, { steps: 5 });
   await seen.mouse.up();
   const turned = (2 * Math.PI * 100) / box.height; // as OrbitControls has it
-  const end = Date.now() + 20000;
   while (Math.abs(Math.sin((Number(await yaw()) - before + turned) / 2)) > 0.01) {
     assert.ok(Date.now() < end, `${before} → ${await yaw()}, ${turned} expected`);
     await seen.waitForTimeout(100);
@@ -113,6 +116,23 @@ test("a killed service is named, with its age", async () => {
   await tab("Diagnostics");
   await expectText(page, '[data-service="planning"]', /silent/);
   await expectText(page, '[data-service="mapping"]', /running/);
+});
+
+test("doubt about who is followed is an alarm, and so is an order that is not confirmed", async () => {
+  await expectText(page, card("uav1", "health"), /5 services well/);
+  station.doubtful.add("uav1");
+  station.unconfirmed.set("uav2", { command: "stop", operator: "ada", still_sent: true });
+  await expectText(page, card("uav1", "health"), /several people: which one\?/);
+  await expectText(page, '[data-alarm="uav1 person perception"].alarm',
+    /■.*several people could be the one who is followed/);
+  await expectText(page, card("uav2", "order"), /stop not confirmed/);
+  await expectText(page, '[data-alarm="uav2 order"].alarm',
+    /stop of ada: not confirmed by the safety gate, still being sent/);
+  station.doubtful.clear();
+  station.unconfirmed.clear();
+  await expectText(page, card("uav1", "health"), /5 services well/);
+  await expectText(page, '[data-alarm="uav2 order"]', /over at/);
+  assert.equal(await page.locator(card("uav2", "order")).count(), 0);
 });
 
 test("topics show their mismatches first", async () => {
