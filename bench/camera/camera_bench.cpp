@@ -100,12 +100,15 @@ Json run_walks(const Options& o, const PerceptionParams& params) {
 Json json_of(const CrossingScores& s) {
   return {{"encounters", s.encounters},
           {"switches", s.switches},
+          {"said", s.said},
+          {"astray", s.astray},
           {"lost_at_end", s.lost_at_end},
           {"found", share_of(s.found, s.frames)},
           {"refused", share_of(s.refused, s.found)},
           {"of_other", share_of(s.of_other, s.found)},
           {"near", share_of(s.near_frames, s.frames)},
-          {"ambiguous", share_of(s.ambiguous, s.frames)}};
+          {"ambiguous", share_of(s.ambiguous, s.frames)},
+          {"network_ms", s.network_ms / s.frames}};
 }
 
 // So many of each kind.

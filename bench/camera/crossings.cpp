@@ -6,7 +6,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSpeed_m_s = 1.3, kStart_s = 0.5, kHeld_s = 0.5, kAlone_s = 0.4;
+constexpr double kSpeed_m_s = 1.3, kStart_s = 0.5, kHeld_s = 0.5, kAlone_s = 0.4, kSaid_s = 1.0;
 
 struct Routes {
   std::vector<Vec2> person, other;
@@ -97,11 +97,29 @@ struct Judge {
   }
 };
 
+// Something that goes on for kHeld_s, or at the end; when it began.
+struct Lasting {
+  double since_s = -1.0, began_s = -1.0;
+
+  void note(double now_s, bool is_so) {
+    if (!is_so) since_s = -1.0;
+    if (is_so && since_s < 0.0) since_s = now_s;
+    if (is_so && now_s - since_s >= kHeld_s) end();
+  }
+  void end() {
+    if (began_s < 0.0) began_s = since_s;
+  }
+  bool happened() const { return began_s >= 0.0; }
+};
+
 }  // namespace
 
 void CrossingScores::add(const CrossingScores& o) {
   encounters += o.encounters;
   switches += o.switches;
+  said += o.said;
+  astray += o.astray;
+  network_ms += o.network_ms;
   frames += o.frames;
   found += o.found;
   refused += o.refused;
@@ -135,8 +153,8 @@ void run_crossing(const WalkCase& walk, Crossing crossing, PoseNetwork& network,
       {load_person(people[static_cast<std::size_t>(beside)]), other_walk});
   const Judge judge{scene, scene.camera.bystanders.front().person};
   const double judged_z_m = scene.camera.bystanders.front().person.state.position_enu_m.z();
-  double other_since_s = -1.0, found_s = -1.0;
-  bool switched = false;
+  double found_s = -1.0, ambiguous_s = -1e9;
+  Lasting astray, taken;
   scene.run([&](const PersonState& person) {
     const Vec2 p = person.position_enu_m.head<2>() - walk.distance_m * sight;
     const double t = person.stamp_s;
@@ -149,6 +167,7 @@ void run_crossing(const WalkCase& walk, Crossing crossing, PoseNetwork& network,
     ++scores.frames;
     scores.near_frames += judge.is_near();
     scores.ambiguous += result.ambiguous;
+    if (result.ambiguous) ambiguous_s = t;
     if (result.found()) {
       const bool refused = scene.measure(result).status == PerceptionStatus::kGated;
       ++scores.found;
@@ -159,13 +178,17 @@ void run_crossing(const WalkCase& walk, Crossing crossing, PoseNetwork& network,
     if (!track.usable()) return;
     found_s = t;
     const bool other = judge.is_other(track);
-    if (!other) other_since_s = -1.0;
-    if (other && other_since_s < 0.0) other_since_s = t;
-    switched = switched || (other && t - other_since_s >= kHeld_s);
+    astray.note(t, other);
+    taken.note(t, other && track.status == TrackStatus::kTracking);
   });
+  astray.end();
+  taken.end();
   ++scores.encounters;
-  scores.switches += switched || other_since_s >= 0.0;
+  scores.astray += astray.happened();
+  scores.switches += taken.happened();
+  scores.said += taken.happened() && ambiguous_s > taken.began_s - kSaid_s;
   scores.lost_at_end += walk.seconds - found_s > kHeld_s;
+  scores.network_ms += unused.network_ms;
 }
 
 }  // namespace foretrack

@@ -18,13 +18,16 @@ inline constexpr std::array<std::string_view, 5> kCrossingNames = {"in front", "
 
 struct CrossingScores {
   int encounters = 0;
-  int switches = 0;           // the track is the other one's for half a second, or at the end
-  int lost_at_end = 0;        // no track in the last half second
+  int switches = 0;     // the track is fed, and the other one's, for half a second or at the end
+  int said = 0;         // switches of which health spoke: not longer before than a second
+  int astray = 0;       // the same if the track only coasts there, or is fed
+  int lost_at_end = 0;  // no track in the last half second
   int frames = 0, found = 0;  // found: a pose, of anybody
   int refused = 0;            // poses that the filter refused
   int of_other = 0;           // poses that it took, but are the other one's
   int ambiguous = 0;          // images of which it was said
   int near_frames = 0;        // the other one is close in the image
+  double network_ms = 0.0;    // CPU, sum
 
   void add(const CrossingScores& other);
 };

@@ -2,6 +2,7 @@
 
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
+#include "core/perception/watch_others.hpp"
 #include "services/people/load_person.hpp"
 #include "services/share/cpu_time.hpp"
 
@@ -63,6 +64,7 @@ PoseResult Scene::see() {
   const PoseResult result = perceive_image(
       eye, camera.image.pixels, vehicle.stamp_s, network, params,
       expected_place(filter, vehicles, camera.params.camera, vehicle.stamp_s, params));
+  watch_others(eye, camera.image.pixels, vehicle.stamp_s, network, params);
   scores.render_ms += 1e3 * (rendered_s - begin_s);
   scores.network_ms += 1e3 * (cpu_s() - rendered_s);
   ++scores.frames;

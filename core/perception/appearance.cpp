@@ -1,36 +1,29 @@
 #include "core/perception/appearance.hpp"
 
+#include "core/perception/torso_points.hpp"
+
 namespace foretrack {
 namespace {
 
-constexpr int kColorSteps = 8;         // samples a side
-constexpr double kTorsoInside = 0.15;  // of the torso that is left out at each side
-constexpr double kDark = 12.0;         // so that the colour of black is not noise
+constexpr int kColorSteps = 8;   // samples a side
+constexpr double kSides = 0.15;  // of the torso, left out at each side
+constexpr double kDark = 12.0;   // so that the colour of black is not noise
 constexpr double kBrightness = 0.4;
 constexpr int kLeastSamples = kColorSteps * kColorSteps / 4;  // of a half
 
 }  // namespace
 
 std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose& person) {
-  const auto corner = [&](TorsoJoint joint) { return person.landmarks[joint].image_px; };
   std::array<Vec3, 2> sums{Vec3::Zero(), Vec3::Zero()};
   std::array<int, 2> counts{};
-  for (int row = 0; row < kColorSteps; ++row)
-    for (int column = 0; column < kColorSteps; ++column) {
-      const double across =
-          kTorsoInside + (1.0 - 2.0 * kTorsoInside) * (column + 0.5) / kColorSteps;
-      const double down = kTorsoInside + (1.0 - 2.0 * kTorsoInside) * (row + 0.5) / kColorSteps;
-      const Vec2 top =
-          corner(kLeftShoulder) + across * (corner(kRightShoulder) - corner(kLeftShoulder));
-      const Vec2 bottom = corner(kLeftHip) + across * (corner(kRightHip) - corner(kLeftHip));
-      const Vec2 px = top + down * (bottom - top);
-      if (!(px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.width_px && px.y() < image.height_px))
-        continue;
-      const std::uint8_t* rgb = image.pixel(static_cast<int>(px.x()), static_cast<int>(px.y()));
-      const int half = 2 * row / kColorSteps;
-      sums[half] += Vec3(rgb[0], rgb[1], rgb[2]);
-      ++counts[half];
-    }
+  visit_torso(person.landmarks, kColorSteps, kSides, [&](const Vec2& px, int row) {
+    if (!(px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.width_px && px.y() < image.height_px))
+      return;
+    const std::uint8_t* rgb = image.pixel(static_cast<int>(px.x()), static_cast<int>(px.y()));
+    const int half = 2 * row / kColorSteps;
+    sums[half] += Vec3(rgb[0], rgb[1], rgb[2]);
+    ++counts[half];
+  });
   Appearance seen;
   for (int half = 0; half < 2; ++half) {
     if (counts[half] < kLeastSamples) return std::nullopt;

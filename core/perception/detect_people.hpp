@@ -16,6 +16,8 @@ struct Detection {
   /// Middle of the hips, a point that says size and angle of the whole body; the same of its upper
   /// part.
   std::array<Vec2, 4> points_px{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  /// Middle of the torso: halfway between hips and shoulders.
+  Vec2 torso_px() const { return 0.5 * (points_px[0] + points_px[2]); }
 };
 
 /// Everybody, the most certain first; scores at least min_score. Boxes that overlap (intersection

@@ -24,7 +24,7 @@ std::optional<ExpectedPlace> expected_place(const PerceptionState& state,
   const double sigma_m = std::sqrt(target.covariance.diagonal().head<3>().maxCoeff());
   const double px_per_m = camera.fx_px / torso_camera_m.z();
   return ExpectedPlace{*px, px_per_m * (kSigmas * sigma_m + kHalfBody_m),
-                       px_per_m * params.target_height_m, refused};
+                       px_per_m * params.target_height_m, refused, px_per_m * sigma_m};
 }
 
 }  // namespace foretrack

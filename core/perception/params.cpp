@@ -24,10 +24,18 @@ ParamRows rows(PerceptionParams& p) {
       {"choice_gate_ratio", &p.choice_gate_ratio, "1", 0.05, 10.0,
        "a lost person is found again within so many sizes of the body, more with each second"},
       {"choice_memory_s", &p.choice_memory_s, "s", 0.0, 60.0,
-       "after this time anybody may be the person"},
+       "a lost person is waited for by place and clothes; after this time anybody may be the "
+       "person"},
       {"clothes_gate", &p.clothes_gate, "1", 0.05, 100.0,
        "whose torso's colour differs more from the chosen person's is somebody else; 1: red and "
        "grey"},
+      {"watch_period_s", &p.watch_period_s, "s", 0.0, 10.0,
+       "while somebody is tracked, the detector looks for others around them no more often"},
+      {"doubt_ratio", &p.doubt_ratio, "1", 0.0, 5.0,
+       "nearer to the person, in sizes of the body, another one may be taken for them"},
+      {"doubt_gate", &p.doubt_gate, "1", 0.5, 100.0,
+       "then a pose whose place, size and clothes are farther from theirs, in standard deviations, "
+       "is not taken"},
       {"target_height_m", &p.target_height_m, "m", 0.5, 2.5, "height of the followed person"},
       {"landmark_height_m", &p.landmark_height_m, "m", 0.5, 2.5,
        "height that the landmarks' source assumes of everybody (BlazePose: 1.62)"},

@@ -13,8 +13,11 @@ struct PerceptionParams {
   double detector_period_s = 0.025;
   double jump_ratio = 0.3;
   double choice_gate_ratio = 0.5;
-  double choice_memory_s = 2.0;
+  double choice_memory_s = 5.0;
   double clothes_gate = 0.4;
+  double watch_period_s = 0.12;
+  double doubt_ratio = 0.4;
+  double doubt_gate = 2.5;
   // Landmarks → pose of the body in the camera.
   double target_height_m = 1.75;    // of the person who is followed
   double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.62)

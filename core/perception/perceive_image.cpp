@@ -7,70 +7,90 @@
 namespace foretrack {
 namespace {
 
-constexpr double kLearnt = 0.15;  // of new looks, in each image
 constexpr int kMostSide_px = 16384;
 constexpr double kRegionOverBody = 1.25;  // side of a region over the height of who stands in it
-
-bool is_picture(const RgbImage& image) {
-  const auto fits = [](int side) { return side >= 1 && side <= kMostSide_px; };
-  return fits(image.width_px) && fits(image.height_px) &&
-         image.rgb.size() == 3 * static_cast<std::size_t>(image.width_px) *
-                                 static_cast<std::size_t>(image.height_px);
-}
-
-// Who wears something else is somebody else.
-bool wears_the_same(const PoseState& state, const RgbImage& image, const PerceptionParams& params,
-                    PoseResult& result) {
-  const auto seen = appearance_of(image, result.person);
-  result.difference = seen && state.wears ? difference(*seen, *state.wears) : 0.0;
-  return result.difference <= params.clothes_gate;
-}
-
-// Clothes are not learnt while the filter refuses the poses.
-void remember(PoseState& state, const RgbImage& image, const PersonPose& person, double stamp_s,
-              bool doubtful) {
-  const auto seen = appearance_of(image, person);
-  if (seen && state.wears && !doubtful) learn(*state.wears, *seen, kLearnt);
-  if (seen && !state.wears) state.wears = seen;
-  state.region = person.tracked;
-  state.torso_px = person.torso_px();
-  state.size_px = person.tracked.size_px;
-  state.seen_s = stamp_s;
-  state.looks = 0;
-}
+constexpr double kClearly = 9.0;          // so much more unlike the other one, nobody doubts
+constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
 
 // Where the chosen person may be; none: anybody may be chosen.
-std::optional<ExpectedPlace> place_of_chosen(const PoseState& state, double stamp_s,
+std::optional<ExpectedPlace> place_of_chosen(const PersonMemory& chosen, double stamp_s,
                                              const PerceptionParams& params,
                                              const std::optional<ExpectedPlace>& expected) {
   if (expected) return expected;
-  const double age_s = stamp_s - state.seen_s;
+  const double age_s = stamp_s - chosen.seen_s;
   if (age_s > params.choice_memory_s) return std::nullopt;
-  return ExpectedPlace{state.torso_px, state.size_px * params.choice_gate_ratio * (1.0 + age_s),
-                       state.size_px / kRegionOverBody};
+  return ExpectedPlace{chosen.torso_px, chosen.size_px * params.choice_gate_ratio * (1.0 + age_s),
+                       chosen.size_px / kRegionOverBody};
 }
 
-// Middle of the torso: halfway between hips and shoulders.
-Vec2 torso_of(const Detection& d) {
-  return 0.5 * (d.points_px[0] + d.points_px[2]);
+// The filter's place is where the torso is; how the pose wavers about it comes on top.
+TorsoPlace torso_place(const PersonMemory& chosen, double stamp_s,
+                       const std::optional<ExpectedPlace>& expected) {
+  if (!expected) return place_at(chosen, stamp_s);
+  const double waver_px = place_at(chosen, chosen.seen_s).sigma_px;
+  return {expected->torso_px, std::hypot(waver_px, expected->sigma_px)};
 }
 
-struct Choice {
-  const Detection* person = nullptr;
-  int possible = 0;
+struct Judgement {
+  bool theirs = false;    // the chosen person's
+  bool doubtful = false;  // it could be the other one's
+  bool near = false;      // the other one is near
+  double unlike = 0.0;    // the chosen person
+  double difference = 0.0;
+  std::optional<Appearance> seen;
 };
 
-Choice choose(const std::vector<Detection>& people, const std::optional<ExpectedPlace>& place) {
-  Choice choice;
-  if (!place) return {people.empty() ? nullptr : &people.front(), static_cast<int>(people.size())};
-  double least = place->gate_px;
-  for (const Detection& person : people) {
-    const double distance = (torso_of(person) - place->torso_px).norm();
-    if (distance > place->gate_px) continue;
-    ++choice.possible;
-    if (distance <= least) least = distance, choice.person = &person;
+// Whose pose is it?
+Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose& pose,
+                double stamp_s, const PerceptionParams& params) {
+  const PersonMemory &chosen = state.chosen, &other = state.other;
+  Judgement j;
+  j.seen = appearance_of(image, pose);
+  if (j.seen && chosen.wears) j.difference = difference(*j.seen, *chosen.wears);
+  if (!chosen.known()) {
+    j.theirs = true;
+    j.doubtful = j.difference > params.clothes_gate;
+    j.unlike = j.difference;
+    return j;
   }
-  return choice;
+  j.unlike = unlikeness(chosen, state.place, stamp_s, pose, j.seen);
+  j.theirs = j.difference <= params.clothes_gate;
+  if (!other.known()) return j;
+  const TorsoPlace others = place_at(other, stamp_s);
+  const double clearly = unlikeness(other, others, stamp_s, pose, j.seen) - j.unlike;
+  const double apart_px = (others.px - state.place.px).norm();
+  j.near = apart_px < params.doubt_ratio * kRegionOverBody * chosen.size_px;
+  j.doubtful = j.near && clearly < kClearly;
+  j.theirs =
+      j.theirs && clearly > 0.0 && (!j.near || j.unlike <= params.doubt_gate * params.doubt_gate);
+  return j;
+}
+
+void take(PoseState& state, const PersonPose& pose, const Judgement& j, double stamp_s,
+          bool doubtful) {
+  if (!state.chosen.known()) state.chosen.wears.reset();
+  remember(state.chosen, pose, j.seen, stamp_s, !j.near && !doubtful);
+  state.place = place_at(state.chosen, stamp_s);
+  state.looks = 0;
+}
+
+// Anybody may be the chosen one now; of two, rather who wears the same.
+void forget(PoseState& state) {
+  const auto wore = state.chosen.wears;
+  state.chosen = state.other = {};
+  state.chosen.wears = wore;
+}
+
+// Those within the gate, the nearest first; without a place all, the most certain first.
+std::vector<Detection> possible(std::vector<Detection> people,
+                                const std::optional<ExpectedPlace>& place) {
+  if (!place) return people;
+  const auto distance = [&](const Detection& d) { return (d.torso_px() - place->torso_px).norm(); };
+  std::erase_if(people, [&](const Detection& d) { return distance(d) > place->gate_px; });
+  std::stable_sort(people.begin(), people.end(), [&](const Detection& a, const Detection& b) {
+    return distance(a) < distance(b);
+  });
+  return people;
 }
 
 void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
@@ -80,20 +100,44 @@ void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork
   state.looked_s = stamp_s;
   const auto window = search_window(image, place, state.looks++);
   if (!window) return;
-  const auto people = detect_people(image, *window, *network.detector, params.min_detection_score);
-  const Choice choice = choose(people, place);
+  auto people = detect_people(image, *window, *network.detector, params.min_detection_score);
   result.candidates = static_cast<int>(people.size());
-  result.ambiguous = choice.possible > 1;
-  if (!choice.person) return;
-  const auto& points = choice.person->points_px;
-  const auto found = find_landmarks(image, region_of_body(points[0], points[1]), *network.landmarks,
-                                    params.min_pose_score);
-  if (!found) return;
-  result.person = *found;
-  if (!place) state.wears.reset();
-  if (!wears_the_same(state, image, params, result)) return;
+  people = possible(std::move(people), place);
+  result.ambiguous = result.ambiguous || people.size() > 1;
+  std::optional<Judgement> best;
+  for (std::size_t k = 0; k < std::min(people.size(), kMostTried); ++k) {
+    const auto& points = people[k].points_px;
+    const auto pose = find_landmarks(image, region_of_body(points[0], points[1]),
+                                     *network.landmarks, params.min_pose_score);
+    if (!pose) continue;
+    Judgement j = judge(state, image, *pose, stamp_s, params);
+    result.ambiguous = result.ambiguous || j.doubtful || !j.theirs;
+    if (!best) result.difference = j.difference;
+    if (!j.theirs || (best && best->unlike <= j.unlike)) continue;
+    result.person = *pose;
+    result.difference = j.difference;
+    best = std::move(j);
+  }
+  if (!best) return;
   result.status = PoseStatus::kDetected;
-  remember(state, image, *found, stamp_s, place && place->refused);
+  take(state, result.person, *best, stamp_s, place && place->refused);
+}
+
+// In the region from the last image.
+bool track(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
+           const PerceptionParams& params, PoseResult& result) {
+  const auto pose =
+      find_landmarks(image, *state.chosen.region, *network.landmarks, params.min_pose_score);
+  if (!pose) return false;
+  result.person = *pose;
+  const double jump_px = params.jump_ratio * state.chosen.size_px;
+  if ((pose->torso_px() - state.chosen.torso_px).norm() > jump_px) return false;
+  const Judgement j = judge(state, image, *pose, stamp_s, params);
+  result.ambiguous = j.doubtful;
+  result.difference = j.difference;
+  if (!j.theirs) return false;
+  take(state, *pose, j, stamp_s, false);
+  return true;
 }
 
 }  // namespace
@@ -104,30 +148,31 @@ std::string_view to_string(PoseStatus status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
+bool is_picture(const RgbImage& image) {
+  const auto fits = [](int side) { return side >= 1 && side <= kMostSide_px; };
+  return fits(image.width_px) && fits(image.height_px) &&
+         image.rgb.size() == 3 * static_cast<std::size_t>(image.width_px) *
+                                 static_cast<std::size_t>(image.height_px);
+}
+
 PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_s,
                           PoseNetwork& network, const PerceptionParams& params,
                           const std::optional<ExpectedPlace>& expected) {
   PoseResult result;
   if (!is_picture(image)) return result;
-  if (stamp_s < std::max(state.seen_s, state.looked_s)) state = {};
-  if (expected && expected->refused) state.region.reset();
-  if (state.region) {
-    const auto found =
-        find_landmarks(image, *state.region, *network.landmarks, params.min_pose_score);
-    const double jump_px = params.jump_ratio * state.size_px;
-    if (found) result.person = *found;
-    if (found && (found->torso_px() - state.torso_px).norm() <= jump_px &&
-        wears_the_same(state, image, params, result)) {
-      result.status = PoseStatus::kTracked;
-      remember(state, image, *found, stamp_s, false);
-      return result;
-    }
-    state.region.reset();
+  if (stamp_s < std::max(state.chosen.seen_s, state.looked_s)) state = {};
+  const auto place = place_of_chosen(state.chosen, stamp_s, params, expected);
+  if (!place) forget(state);
+  state.place = torso_place(state.chosen, stamp_s, expected);
+  if (expected && expected->refused) state.chosen.region.reset();
+  if (state.chosen.region && track(state, image, stamp_s, network, params, result)) {
+    result.status = PoseStatus::kTracked;
+    return result;
   }
+  state.chosen.region.reset();
   result.status = PoseStatus::kNotLooked;
-  if (stamp_s - state.looked_s < params.detector_period_s) return result;
-  const auto place = place_of_chosen(state, stamp_s, params, expected);
-  search(state, image, stamp_s, network, params, place, result);
+  if (stamp_s - state.looked_s >= params.detector_period_s)
+    search(state, image, stamp_s, network, params, place, result);
   return result;
 }
 

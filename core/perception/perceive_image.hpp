@@ -9,9 +9,8 @@
 
 #include "core/common/image.hpp"
 #include "core/common/target.hpp"
-#include "core/perception/appearance.hpp"
-#include "core/perception/find_landmarks.hpp"
 #include "core/perception/params.hpp"
+#include "core/perception/person_memory.hpp"
 #include "core/perception/pose_network.hpp"
 #include "core/perception/search_window.hpp"
 
@@ -30,31 +29,36 @@ struct PoseResult {
   PoseStatus status = PoseStatus::kBadImage;
   PersonPose person;        // valid if found()
   int candidates = 0;       // people that the detector saw, if it ran
-  bool ambiguous = false;   // several of them could be the chosen one
+  bool ambiguous = false;   // it may be, or may have been, somebody else's pose
   double difference = 0.0;  // of the clothes from those that the chosen one wore
   bool found() const { return status == PoseStatus::kTracked || status == PoseStatus::kDetected; }
 };
 
 /// What is kept from image to image. A plain value; the caller owns it.
 struct PoseState {
-  std::optional<ImageRegion> region;  // none: lost
-  Vec2 torso_px = Vec2::Zero();       // of the chosen person, when last seen
-  double size_px = 0.0;               // of their region then
-  double seen_s = -1e9;
-  std::optional<Appearance> wears;
-  double looked_s = -1e9;  // when the detector ran last
-  int looks = 0;           // of the detector since then
+  PersonMemory chosen;
+  PersonMemory other;       // the nearest one besides; watch_others() keeps it
+  TorsoPlace place;         // of the chosen person in the last image, seen or expected
+  double looked_s = -1e9;   // when the detector ran last
+  double watched_s = -1e9;  // and when for others
+  int looks = 0;            // of the detector since the chosen person was seen
 };
 
 /// Landmarks of the chosen person: in the region from the last image while they are tracked, by the
 /// detector (at most once in detector_period_s, in one search_window() after the other) otherwise.
 /// The first time, the most certain person is chosen; then whoever is nearest to where the chosen
-/// one is expected, within the gate. A pose that the filter refused may be somebody else's: it is
-/// not tracked on, the detector looks again. Cost of a tracked image: about 6 ms with the lite
-/// model; with the detector 11 ms more. Stamps must grow; one that goes back starts anew.
+/// one is expected, within the gate, wears the same and is not the other one whom watch_others()
+/// knows of. While that one is near, a pose is only taken if it is more like the chosen person's in
+/// place, size and clothes, and clearly theirs: of a person who is covered there is no pose. A pose
+/// that the filter refused may be somebody else's: it is not tracked on, the detector looks again.
+/// Cost of a tracked image: about 6 ms with the lite model; with the detector 11 ms more. Stamps
+/// must grow; one that goes back starts anew.
 PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_s,
                           PoseNetwork& network, const PerceptionParams& params,
                           const std::optional<ExpectedPlace>& expected = {});
+
+/// Has pixels, and as many as it says.
+bool is_picture(const RgbImage& image);
 
 /// Everybody in one image that the detector finds, the most certain first.
 std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,

@@ -11,9 +11,10 @@ namespace foretrack {
 /// Where the chosen person should be in an image, e.g. as the filter predicts.
 struct ExpectedPlace {
   Vec2 torso_px = Vec2::Zero();
-  double gate_px = 0.0;  // farther away it is somebody else
-  double body_px = 0.0;  // height of the body there; 0: not known
-  bool refused = false;  // the last pose was not there: the filter did not take it
+  double gate_px = 0.0;   // farther away it is somebody else
+  double body_px = 0.0;   // height of the body there; 0: not known
+  bool refused = false;   // the last pose was not there: the filter did not take it
+  double sigma_px = 0.0;  // of torso_px
 };
 
 /// The detector's input is small: people far away are only found in a part of the image. The first

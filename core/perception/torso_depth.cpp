@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "core/perception/torso_points.hpp"
+
 namespace foretrack {
 namespace {
 
 constexpr int kSteps = 9;         // samples a side
-constexpr double kInside = 0.25;  // of the torso that is left out at each side
+constexpr double kMargin = 0.22;  // of the torso, left out at each side
 constexpr float kNearest_m = 0.2f;
 constexpr float kFarthest_m = 30.0f;
 constexpr int kLeastReturns = kSteps * kSteps / 4;
@@ -16,25 +18,18 @@ constexpr int kLeastReturns = kSteps * kSteps / 4;
 
 std::optional<double> torso_surface_depth_m(const TargetObservation& observation,
                                             const DepthImage& depth) {
-  const auto corner = [&](TorsoJoint joint) { return observation.landmarks[joint].image_px; };
   const CameraModel &colour = observation.camera, &camera = depth.camera;
   std::array<float, kSteps * kSteps> returns;
   int count = 0;
-  for (int row = 0; row < kSteps; ++row)
-    for (int column = 0; column < kSteps; ++column) {
-      const double down = kInside + (1.0 - 2.0 * kInside) * row / (kSteps - 1);
-      const double across = kInside + (1.0 - 2.0 * kInside) * column / (kSteps - 1);
-      const Vec2 left = (1.0 - down) * corner(kLeftShoulder) + down * corner(kLeftHip);
-      const Vec2 right = (1.0 - down) * corner(kRightShoulder) + down * corner(kRightHip);
-      const Vec2 at = (1.0 - across) * left + across * right;
-      const Vec2 px((at.x() - colour.cx_px) / colour.fx_px * camera.fx_px + camera.cx_px,
-                    (at.y() - colour.cy_px) / colour.fy_px * camera.fy_px + camera.cy_px);
-      if (!camera.contains(px)) continue;
-      const auto k = static_cast<std::size_t>(px.y()) * static_cast<std::size_t>(camera.width_px) +
-                     static_cast<std::size_t>(px.x());
-      const float z = k < depth.depth_m.size() ? depth.depth_m[k] : 0.0f;
-      if (z > kNearest_m && z < kFarthest_m) returns[count++] = z;
-    }
+  visit_torso(observation.landmarks, kSteps, kMargin, [&](const Vec2& at, int) {
+    const Vec2 px((at.x() - colour.cx_px) / colour.fx_px * camera.fx_px + camera.cx_px,
+                  (at.y() - colour.cy_px) / colour.fy_px * camera.fy_px + camera.cy_px);
+    if (!camera.contains(px)) return;
+    const auto k = static_cast<std::size_t>(px.y()) * static_cast<std::size_t>(camera.width_px) +
+                   static_cast<std::size_t>(px.x());
+    const float z = k < depth.depth_m.size() ? depth.depth_m[k] : 0.0f;
+    if (z > kNearest_m && z < kFarthest_m) returns[count++] = z;
+  });
   if (count < kLeastReturns) return std::nullopt;
   std::nth_element(returns.begin(), returns.begin() + count / 2, returns.begin() + count);
   return returns[count / 2];

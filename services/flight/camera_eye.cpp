@@ -2,6 +2,7 @@
 
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
+#include "core/perception/watch_others.hpp"
 
 namespace foretrack {
 namespace {
@@ -26,6 +27,7 @@ const CameraEye::Seen* CameraEye::look(const SimulatorOutput& output, const Perc
       seen.observation = to_observation(result_.person, image->stamp_s, image->camera, params_);
       seen.torso_depth_m = torso_depth_of(seen.observation, output.depth);
     }
+    watch_others(state_, image->pixels, image->stamp_s, network_, params_);
   }
   if (waiting_.empty() || output.now_s < waiting_.front().observation.stamp_s + delay_s_ - 1e-9)
     return nullptr;

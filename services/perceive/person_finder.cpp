@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "core/perception/watch_others.hpp"
+
 namespace foretrack {
 
 PersonFinder::PersonFinder(PoseNetwork network, const PerceptionParams& params,
@@ -22,6 +24,7 @@ SeenFrame PersonFinder::follow(const Frame& frame) {
   check_size(frame);
   SeenFrame out{frame.stamp_s, frame.file, {}};
   const PoseResult result = perceive_image(state_, frame.image, frame.stamp_s, network_, params_);
+  watch_others(state_, frame.image, frame.stamp_s, network_, params_);
   if (result.status == PoseStatus::kDetected) ambiguous_ = result.ambiguous;
   if (result.found()) out.people.push_back(seen(result.person));
   return out;

@@ -5,6 +5,7 @@
 
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
+#include "core/perception/watch_others.hpp"
 #include "services/convert/geometry.hpp"
 #include "services/convert/image.hpp"
 #include "services/models/pose_models.hpp"
@@ -84,6 +85,7 @@ void ImageInput::look(double stamp_s) {
     seen.torso_depth_m = torso_depth_m(observation_);
   }
   callback_(seen);
+  watch_others(pose_, rgb_, stamp_s, *network_, params_);
 }
 
 double ImageInput::torso_depth_m(const TargetObservation& observation) {

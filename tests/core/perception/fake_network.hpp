@@ -59,7 +59,8 @@ struct FakePoseNetwork {
     put(8, hips - Vec2(0.0, 0.5 * half_size));
     put(10, hips - Vec2(0.0, half_size));
   }
-  /// Upright in the middle of the region, moved by `offset` (of the region's side).
+  /// Upright in the middle of the region, where see() would detect them, moved by `offset` (of the
+  /// region's side).
   void answer_person(double score = 0.99, const Vec2& offset = Vec2::Zero()) {
     auto& marks = landmarks->answer(0);
     const auto put = [&](int k, const Vec2& at) {
@@ -68,12 +69,12 @@ struct FakePoseNetwork {
       marks[5 * k + 3] = marks[5 * k + 4] = 5.0f;
     };
     for (int k = 0; k < 39; ++k) put(k, {0.5, 0.5});
-    put(kLeftShoulder, {0.6, 0.4});
-    put(kRightShoulder, {0.4, 0.4});
-    put(kLeftHip, {0.55, 0.6});
-    put(kRightHip, {0.45, 0.6});
-    put(33, {0.5, 0.55});
-    put(34, {0.5, 0.15});
+    put(kLeftShoulder, {0.6, 0.3});
+    put(kRightShoulder, {0.4, 0.3});
+    put(kLeftHip, {0.55, 0.5});
+    put(kRightHip, {0.45, 0.5});
+    put(33, {0.5, 0.5});
+    put(34, {0.5, 0.1});
     landmarks->answer(1)[0] = static_cast<float>(score);
   }
 };

@@ -55,7 +55,7 @@ TEST_F(PerceiveImage, AnEmptyRegionIsLeftForTheDetectorAtOnce) {
   fake_.answer_person(0.2);
   EXPECT_EQ(look(0.3).status, PoseStatus::kNobody);
   EXPECT_EQ(fake_.detector->runs, 2);
-  EXPECT_FALSE(state_.region);
+  EXPECT_FALSE(state_.chosen.region);
 }
 
 TEST_F(PerceiveImage, ATorsoThatJumpsIsSomebodyElse) {

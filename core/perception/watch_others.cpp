@@ -1,0 +1,88 @@
+#include "core/perception/watch_others.hpp"
+
+#include <limits>
+
+#include "core/perception/detect_people.hpp"
+
+namespace foretrack {
+namespace {
+
+// Lengths in sizes of the chosen person's region.
+constexpr double kAround = 3.0;  // side of what is looked at
+constexpr double kFar = 1.5;     // nobody to care for
+constexpr double kSame = 0.1;    // nearer, it is the same person
+constexpr double kSameDetected = 0.15;
+constexpr double kApart = 0.45;  // farther, nothing of the one is taken for the other
+constexpr double kForgotten_s = 1.5;
+
+bool is_near(const PoseState& state, const Vec2& torso_px, double ratio) {
+  return (torso_px - state.place.px).norm() < ratio * state.chosen.size_px;
+}
+
+void follow_other(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
+                  const PerceptionParams& params) {
+  PersonMemory& other = state.other;
+  const TorsoPlace place = place_at(other, stamp_s);
+  if (stamp_s - other.seen_s > kForgotten_s || !is_near(state, place.px, kFar)) {
+    other = {};
+    return;
+  }
+  ImageRegion region = *other.region;
+  region.centre_px += place.px - other.torso_px;
+  const auto pose = find_landmarks(image, region, *network.landmarks, params.min_pose_score);
+  if (!pose) return;
+  const auto seen = appearance_of(image, *pose);
+  const double theirs = unlikeness(other, place, stamp_s, *pose, seen);
+  if (theirs > unlikeness(state.chosen, state.place, stamp_s, *pose, seen)) return;
+  if ((pose->torso_px() - place.px).norm() > params.jump_ratio * other.size_px) return;
+  remember(other, *pose, seen, stamp_s, !is_near(state, place.px, kApart));
+}
+
+// The nearest one who is neither the chosen person nor the other one.
+const Detection* nearest_new(const PoseState& state, const std::vector<Detection>& people,
+                             double stamp_s) {
+  const Detection* nearest = nullptr;
+  double least = kFar * state.chosen.size_px;
+  const Vec2 other_px = place_at(state.other, stamp_s).px;
+  if (state.other.known()) least = std::min(least, (other_px - state.place.px).norm());
+  for (const Detection& person : people) {
+    const double distance = (person.torso_px() - state.place.px).norm();
+    if (distance >= least || is_near(state, person.torso_px(), kSameDetected)) continue;
+    if (state.other.known() &&
+        (person.torso_px() - other_px).norm() < kSameDetected * state.other.size_px)
+      continue;
+    least = distance, nearest = &person;
+  }
+  return nearest;
+}
+
+void look_around(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
+                 const PerceptionParams& params) {
+  state.watched_s = stamp_s;
+  const ImageRegion whole = whole_of(image);
+  const double side_px = kAround * state.chosen.size_px;
+  const ImageRegion window =
+      side_px < whole.size_px ? ImageRegion{state.place.px, side_px, 0.0} : whole;
+  const auto people = detect_people(image, window, *network.detector, params.min_detection_score);
+  const Detection* person = nearest_new(state, people, stamp_s);
+  if (!person) return;
+  const auto pose =
+      find_landmarks(image, region_of_body(person->points_px[0], person->points_px[1]),
+                     *network.landmarks, params.min_pose_score);
+  if (!pose || is_near(state, pose->torso_px(), kSame)) return;
+  state.other = {};
+  remember(state.other, *pose, appearance_of(image, *pose), stamp_s, true);
+}
+
+}  // namespace
+
+void watch_others(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
+                  const PerceptionParams& params) {
+  if (!state.chosen.known() || !is_picture(image)) return;
+  if (state.other.known()) follow_other(state, image, stamp_s, network, params);
+  const bool seen_now = state.chosen.seen_s == stamp_s;
+  if (seen_now && stamp_s - state.watched_s >= params.watch_period_s)
+    look_around(state, image, stamp_s, network, params);
+}
+
+}  // namespace foretrack

@@ -1,0 +1,134 @@
+#include "core/perception/watch_others.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/perception/fake_network.hpp"
+
+namespace foretrack {
+namespace {
+
+using testing::grey_image;
+
+PersonPose pose_at(const Vec2& torso_px, double size_px) {
+  PersonPose pose;
+  const auto put = [&](TorsoJoint joint, double x, double y) {
+    pose.landmarks[joint].image_px = torso_px + size_px * Vec2(x, y);
+  };
+  put(kLeftShoulder, 0.1, -0.1);
+  put(kRightShoulder, -0.1, -0.1);
+  put(kLeftHip, 0.1, 0.1);
+  put(kRightHip, -0.1, 0.1);
+  pose.tracked = {torso_px, size_px, 0.0};
+  return pose;
+}
+
+Appearance wearing(double color) {
+  Appearance clothes;
+  clothes.colors[0] = color;
+  return clothes;
+}
+
+TEST(PersonMemory, GoesOnAsItMovedAndIsLessCertain) {
+  PersonMemory person;
+  for (int k = 0; k < 60; ++k)
+    remember(person, pose_at({100.0 + 2.0 * k, 200.0}, 150.0), {}, k / 30.0, true);
+  const TorsoPlace now = place_at(person, 59 / 30.0), later = place_at(person, 59 / 30.0 + 0.5);
+  EXPECT_NEAR(later.px.x() - now.px.x(), 30.0, 0.1);
+  EXPECT_GT(later.sigma_px, now.sigma_px);
+}
+
+TEST(PersonMemory, PlaceSizeAndClothesEachTellOneFromAnother) {
+  PersonMemory person;
+  remember(person, pose_at({100.0, 200.0}, 150.0), wearing(0.0), 1.0, true);
+  const auto unlike = [&](const PersonPose& pose, double color) {
+    return unlikeness(person, place_at(person, 1.0), 1.0, pose, wearing(color));
+  };
+  EXPECT_NEAR(unlike(pose_at({100.0, 200.0}, 150.0), 0.0), 0.0, 1e-9);
+  EXPECT_GT(unlike(pose_at({120.0, 200.0}, 150.0), 0.0), 9.0);
+  EXPECT_GT(unlike(pose_at({100.0, 200.0}, 175.0), 0.0), 9.0);
+  EXPECT_GT(unlike(pose_at({100.0, 200.0}, 150.0), 0.5), 9.0);
+}
+
+TEST(PersonMemory, NothingIsLearntOfClothesAndLittleOfSizeWhileSomebodyIsNear) {
+  PersonMemory person;
+  remember(person, pose_at({100.0, 200.0}, 150.0), wearing(0.0), 1.0, true);
+  remember(person, pose_at({100.0, 200.0}, 180.0), wearing(1.0), 1.1, false);
+  EXPECT_EQ(person.wears->colors[0], 0.0);
+  EXPECT_LT(person.size_px, 152.0);
+  remember(person, pose_at({100.0, 200.0}, 180.0), wearing(1.0), 1.2, true);
+  EXPECT_GT(person.wears->colors[0], 0.0);
+  EXPECT_EQ(person.size_px, 180.0);
+}
+
+// The fake landmark network puts a person into the middle of any region; the detector sees whom
+// the test wants.
+class WatchOthers : public ::testing::Test {
+ protected:
+  PoseResult look(double stamp_s) {
+    const auto result = perceive_image(state_, image_, stamp_s, fake_.network, params_);
+    watch_others(state_, image_, stamp_s, fake_.network, params_);
+    return result;
+  }
+  testing::FakePoseNetwork fake_;
+  PoseState state_;
+  PerceptionParams params_;
+  RgbImage image_ = grey_image(400, 400);
+};
+
+TEST_F(WatchOthers, NobodyElseCostsOneDetectorInAPeriod) {
+  fake_.see({0.4, 0.5}, 0.2, 3.0);
+  params_.watch_period_s = 0.1;
+  for (int k = 0; k < 30; ++k) look(k / 30.0);
+  EXPECT_FALSE(state_.other.known());
+  EXPECT_GE(fake_.detector->runs, 7);
+  EXPECT_LE(fake_.detector->runs, 11);
+  EXPECT_EQ(fake_.landmarks->runs, 30);
+}
+
+TEST_F(WatchOthers, WhoIsBesideIsKnownAndNotTheChosenOne) {
+  fake_.see({0.4, 0.5}, 0.2, 3.0);
+  look(0.0);
+  fake_.see({0.6, 0.5}, 0.2, 3.0);
+  look(0.2);
+  ASSERT_TRUE(state_.other.known());
+  EXPECT_NEAR(state_.chosen.torso_px.x(), 160.0, 15.0);
+  EXPECT_GT(state_.other.torso_px.x(), 220.0);
+}
+
+TEST_F(WatchOthers, APoseAtTheOthersPlaceIsNotTakenWhenTheChosenOneIsGone) {
+  fake_.see({0.4, 0.5}, 0.2, 3.0);
+  look(0.0);
+  fake_.see({0.6, 0.5}, 0.2, 3.0);
+  look(0.2);
+  ASSERT_TRUE(state_.other.known());
+  fake_.see_nobody();
+  fake_.see({0.6, 0.5}, 0.2, 3.0);
+  state_.chosen.region.reset();  // lost
+  const auto result = look(0.23);
+  EXPECT_EQ(result.status, PoseStatus::kNobody);
+  EXPECT_TRUE(result.ambiguous);
+}
+
+TEST_F(WatchOthers, HalfOfEachIsNobodysPoseAndTheDoubtIsSaid) {
+  fake_.see({0.4, 0.5}, 0.2, 3.0);
+  look(0.0);
+  state_.other = state_.chosen;
+  state_.other.torso_px.x() += 0.2 * state_.chosen.size_px;
+  state_.other.wears.reset();
+  fake_.answer_person(0.99, {0.1, 0.0});
+  const auto result = look(0.03);
+  EXPECT_FALSE(result.found());
+  EXPECT_TRUE(result.ambiguous);
+}
+
+TEST_F(WatchOthers, WhoWentFarAwayIsForgotten) {
+  fake_.see({0.4, 0.5}, 0.2, 3.0);
+  look(0.0);
+  state_.other = state_.chosen;
+  state_.other.torso_px.x() += 2.0 * state_.chosen.size_px;
+  look(0.03);
+  EXPECT_FALSE(state_.other.known());
+}
+
+}  // namespace
+}  // namespace foretrack
