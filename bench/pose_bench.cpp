@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
             [&](int k) { perceive_image(state, image, 0.03 * (k + 1), network, params); });
     measure("  of it the network", count, [&](int) { network.landmarks->run(); });
     measure("  of it the sampling", count, [&](int) {
-      sample_region(image, *state.region, Border::kRepeated, 256, 1.0f, 0.0f,
+      sample_region(image, *state.chosen.region, Border::kRepeated, 256, 1.0f, 0.0f,
                     network.landmarks->input());
     });
     if (model == 0)

@@ -27,7 +27,8 @@ double sigmoid(double logit) {
 Vec2 refined(const Vec2& mark, int index, std::span<const float> heat) {
   const int column = static_cast<int>(mark.x() * kHeatSide);
   const int row = static_cast<int>(mark.y() * kHeatSide);
-  if (column < 0 || row < 0 || column >= kHeatSide || row >= kHeatSide) return mark;
+  // As in the original, a mark below the map is refined by the heat at its lower edge.
+  if (column < 0 || row < 0 || column >= kHeatSide) return mark;
   double sum = 0.0, most = 0.0;
   Vec2 weighted = Vec2::Zero();
   for (int r = std::max(0, row - kReach); r <= std::min(kHeatSide - 1, row + kReach); ++r)

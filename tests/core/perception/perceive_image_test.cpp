@@ -221,6 +221,20 @@ TEST(FindLandmarks, HeatMovesALandmarkToItsCentre) {
   EXPECT_NEAR(person->landmarks[kLeftHip].image_px.y(), 30.5, 0.02);
 }
 
+TEST(FindLandmarks, AMarkBelowTheRegionIsRefinedByTheHeatAtItsEdge) {
+  testing::FakePoseNetwork fake;
+  fake.landmarks->answer(2)[(62 * 64 + 32) * 39 + kLeftHip] = 20.0f;
+  fake.landmarks->answer(0)[5 * kLeftHip] = 130.0f;
+  const auto hip_y_px = [&](float mark) {
+    fake.landmarks->answer(0)[5 * kLeftHip + 1] = mark;
+    const auto person =
+        find_landmarks(grey_image(64, 64), {{32, 32}, 64, 0.0}, *fake.landmarks, 0.5);
+    return person->landmarks[kLeftHip].image_px.y();
+  };
+  EXPECT_NEAR(hip_y_px(258.0f), 62.0, 0.1);
+  EXPECT_NEAR(hip_y_px(400.0f), 100.0, 1e-3);  // too far below
+}
+
 TEST(FindLandmarks, WorldPointsTurnWithTheRegion) {
   testing::FakePoseNetwork fake;
   fake.landmarks->answer(3)[0] = 1.0f;
