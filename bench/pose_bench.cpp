@@ -9,6 +9,7 @@
 #include "core/perception/detect_people.hpp"
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sample_image.hpp"
+#include "core/perception/watch_others.hpp"
 #include "services/models/pose_models.hpp"
 #include "services/perceive/frame_source.hpp"
 #include "services/share/cpu_time.hpp"
@@ -48,6 +49,11 @@ int main(int argc, char** argv) {
     const int count = model == 2 ? images / 4 + 1 : images;
     measure("tracked image", count,
             [&](int k) { perceive_image(state, image, 0.03 * (k + 1), network, params); });
+    measure("  and others watched", count, [&](int k) {
+      const double stamp_s = 1e3 + 0.0333 * k;
+      perceive_image(state, image, stamp_s, network, params);
+      watch_others(state, image, stamp_s, network, params);
+    });
     measure("  of it the network", count, [&](int) { network.landmarks->run(); });
     measure("  of it the sampling", count, [&](int) {
       sample_region(image, *state.chosen.region, Border::kRepeated, 256, 1.0f, 0.0f,

@@ -36,6 +36,8 @@ ParamRows rows(PerceptionParams& p) {
       {"doubt_gate", &p.doubt_gate, "1", 0.5, 100.0,
        "then a pose whose place, size and clothes are farther from theirs, in standard deviations, "
        "is not taken"},
+      {"change_gate", &p.change_gate, "1", 0.5, 100.0,
+       "the same of who was lost and is found again, while nobody is known to be near"},
       {"target_height_m", &p.target_height_m, "m", 0.5, 2.5, "height of the followed person"},
       {"landmark_height_m", &p.landmark_height_m, "m", 0.5, 2.5,
        "height that the landmarks' source assumes of everybody (BlazePose: 1.62)"},

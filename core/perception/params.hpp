@@ -18,6 +18,7 @@ struct PerceptionParams {
   double watch_period_s = 0.12;
   double doubt_ratio = 0.4;
   double doubt_gate = 2.5;
+  double change_gate = 5.0;
   // Landmarks → pose of the body in the camera.
   double target_height_m = 1.75;    // of the person who is followed
   double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.62)

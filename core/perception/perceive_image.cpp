@@ -10,6 +10,7 @@ namespace {
 constexpr int kMostSide_px = 16384;
 constexpr double kRegionOverBody = 1.25;  // side of a region over the height of who stands in it
 constexpr double kClearly = 9.0;          // so much more unlike the other one, nobody doubts
+constexpr double kSurprising = 3.5;       // standard deviations in one image: it is said
 constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
 
 // Where the chosen person may be; none: anybody may be chosen.
@@ -35,6 +36,7 @@ struct Judgement {
   bool theirs = false;    // the chosen person's
   bool doubtful = false;  // it could be the other one's
   bool near = false;      // the other one is near
+  bool changed = false;   // too suddenly for somebody who is found again
   double unlike = 0.0;    // the chosen person
   double difference = 0.0;
   std::optional<Appearance> seen;
@@ -54,15 +56,17 @@ Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose&
     return j;
   }
   j.unlike = unlikeness(chosen, state.place, stamp_s, pose, j.seen);
+  const auto within = [&](double gate) { return j.unlike <= gate * gate; };
   j.theirs = j.difference <= params.clothes_gate;
+  j.changed = !within(params.change_gate);
+  j.doubtful = !j.theirs || !within(kSurprising);
   if (!other.known()) return j;
   const TorsoPlace others = place_at(other, stamp_s);
   const double clearly = unlikeness(other, others, stamp_s, pose, j.seen) - j.unlike;
   const double apart_px = (others.px - state.place.px).norm();
   j.near = apart_px < params.doubt_ratio * kRegionOverBody * chosen.size_px;
-  j.doubtful = j.near && clearly < kClearly;
-  j.theirs =
-      j.theirs && clearly > 0.0 && (!j.near || j.unlike <= params.doubt_gate * params.doubt_gate);
+  j.doubtful = j.doubtful || (j.near && clearly < kClearly);
+  j.theirs = j.theirs && clearly > 0.0 && (!j.near || within(params.doubt_gate));
   return j;
 }
 
@@ -113,7 +117,7 @@ void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork
     Judgement j = judge(state, image, *pose, stamp_s, params);
     result.ambiguous = result.ambiguous || j.doubtful || !j.theirs;
     if (!best) result.difference = j.difference;
-    if (!j.theirs || (best && best->unlike <= j.unlike)) continue;
+    if (!j.theirs || j.changed || (best && best->unlike <= j.unlike)) continue;
     result.person = *pose;
     result.difference = j.difference;
     best = std::move(j);
