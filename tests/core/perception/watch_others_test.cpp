@@ -69,6 +69,22 @@ class WatchOthers : public ::testing::Test {
     watch_others(state_, image_, stamp_s, fake_.network, params_);
     return result;
   }
+  // The chosen person, and then somebody beside.
+  void look_at_two() {
+    fake_.see({0.4, 0.5}, 0.2, 3.0);
+    look(0.0);
+    fake_.see({0.6, 0.5}, 0.2, 3.0);
+    look(0.2);
+    ASSERT_TRUE(state_.other.known());
+  }
+  // The other one is so many sizes of the body to the right.
+  void look_with_other_at(double sizes) {
+    fake_.see({0.4, 0.5}, 0.2, 3.0);
+    look(0.0);
+    state_.other = state_.chosen;
+    state_.other.torso_px.x() += sizes * state_.chosen.size_px;
+    state_.other.wears.reset();
+  }
   testing::FakePoseNetwork fake_;
   PoseState state_;
   PerceptionParams params_;
@@ -86,21 +102,13 @@ TEST_F(WatchOthers, NobodyElseCostsOneDetectorInAPeriod) {
 }
 
 TEST_F(WatchOthers, WhoIsBesideIsKnownAndNotTheChosenOne) {
-  fake_.see({0.4, 0.5}, 0.2, 3.0);
-  look(0.0);
-  fake_.see({0.6, 0.5}, 0.2, 3.0);
-  look(0.2);
-  ASSERT_TRUE(state_.other.known());
+  look_at_two();
   EXPECT_NEAR(state_.chosen.torso_px.x(), 160.0, 15.0);
   EXPECT_GT(state_.other.torso_px.x(), 220.0);
 }
 
 TEST_F(WatchOthers, APoseAtTheOthersPlaceIsNotTakenWhenTheChosenOneIsGone) {
-  fake_.see({0.4, 0.5}, 0.2, 3.0);
-  look(0.0);
-  fake_.see({0.6, 0.5}, 0.2, 3.0);
-  look(0.2);
-  ASSERT_TRUE(state_.other.known());
+  look_at_two();
   fake_.see_nobody();
   fake_.see({0.6, 0.5}, 0.2, 3.0);
   state_.chosen.region.reset();  // lost
@@ -110,11 +118,7 @@ TEST_F(WatchOthers, APoseAtTheOthersPlaceIsNotTakenWhenTheChosenOneIsGone) {
 }
 
 TEST_F(WatchOthers, HalfOfEachIsNobodysPoseAndTheDoubtIsSaid) {
-  fake_.see({0.4, 0.5}, 0.2, 3.0);
-  look(0.0);
-  state_.other = state_.chosen;
-  state_.other.torso_px.x() += 0.2 * state_.chosen.size_px;
-  state_.other.wears.reset();
+  look_with_other_at(0.2);
   fake_.answer_person(0.99, {0.1, 0.0});
   const auto result = look(0.03);
   EXPECT_FALSE(result.found());
@@ -122,10 +126,7 @@ TEST_F(WatchOthers, HalfOfEachIsNobodysPoseAndTheDoubtIsSaid) {
 }
 
 TEST_F(WatchOthers, WhoWentFarAwayIsForgotten) {
-  fake_.see({0.4, 0.5}, 0.2, 3.0);
-  look(0.0);
-  state_.other = state_.chosen;
-  state_.other.torso_px.x() += 2.0 * state_.chosen.size_px;
+  look_with_other_at(2.0);
   look(0.03);
   EXPECT_FALSE(state_.other.known());
 }
