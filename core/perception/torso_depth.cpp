@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr int kSteps = 9;         // samples a side
-constexpr double kMargin = 0.22;  // of the torso, left out at each side
+constexpr int kSteps = 9;          // samples a side
+constexpr double kLeftOut = 0.22;  // of the torso, at each side
 constexpr float kNearest_m = 0.2f;
 constexpr float kFarthest_m = 30.0f;
 constexpr int kLeastReturns = kSteps * kSteps / 4;
@@ -21,7 +21,7 @@ std::optional<double> torso_surface_depth_m(const TargetObservation& observation
   const CameraModel &colour = observation.camera, &camera = depth.camera;
   std::array<float, kSteps * kSteps> returns;
   int count = 0;
-  visit_torso(observation.landmarks, kSteps, kMargin, [&](const Vec2& at, int) {
+  visit_torso(observation.landmarks, kSteps, kLeftOut, [&](const Vec2& at, int) {
     const Vec2 px((at.x() - colour.cx_px) / colour.fx_px * camera.fx_px + camera.cx_px,
                   (at.y() - colour.cy_px) / colour.fy_px * camera.fy_px + camera.cy_px);
     if (!camera.contains(px)) return;
