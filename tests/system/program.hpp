@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -108,11 +109,16 @@ inline std::vector<pid_t> processes_with(const std::vector<std::string>& words) 
   return pids;
 }
 
-inline int shared_memory_files() {
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm"))
-    count += entry.path().filename().string().starts_with("fastrtps_") ? 1 : 0;
-  return count;
+/// Files of Fast DDS in shared memory that these processes use.
+inline std::set<std::string> shared_memory_of(const std::vector<pid_t>& pids) {
+  std::set<std::string> files;
+  for (const pid_t pid : pids) {
+    std::istringstream maps(text_of("/proc/" + std::to_string(pid) + "/maps"));
+    for (std::string line; std::getline(maps, line);)
+      if (const auto at = line.find("/dev/shm/fastrtps_"); at != std::string::npos)
+        files.insert(line.substr(at));
+  }
+  return files;
 }
 
 }  // namespace foretrack

@@ -6,6 +6,8 @@
 namespace foretrack {
 namespace {
 
+constexpr int kLinesAfter = 5;  // one a second
+
 TEST(Recovery, TheVehicleFliesOnWithoutCollisionWhenAnyServiceIsKilled) {
   const FreeDomain domain;
   const std::string id = std::to_string(domain.id());
@@ -36,7 +38,11 @@ TEST(Recovery, TheVehicleFliesOnWithoutCollisionWhenAnyServiceIsKilled) {
         << "the loop did not go on after " << service << "\n"
         << demo.output();
   }
-  ASSERT_NE(demo.wait(90.0), -1);
+  const auto length = demo.output().size();
+  EXPECT_TRUE(eventually(
+      [&] { return std::ranges::count(demo.output().substr(length), '\n') >= kLinesAfter; }, 30.0));
+  demo.send(SIGINT);
+  ASSERT_NE(demo.wait(60.0), -1);
   const auto summary = Json::parse(text_of(out / "summary.json"));
   EXPECT_EQ(summary["metrics"]["collisions"], 0) << demo.output();
   EXPECT_EQ(summary["onboard"]["restarts"], 5);

@@ -1,14 +1,33 @@
 // The ground station beside a flight: what it passes on, records, replays and commands.
+#include <future>
+#include <map>
+#include <memory>
+
 #include "services/launch/domain.hpp"
 #include "tests/system/station_program.hpp"
 
 namespace foretrack {
 namespace {
 
+/// A flight and a station beside it.
+struct Flown {
+  FreeDomain domain;
+  std::string id = std::to_string(domain.id());
+  Folder folder;
+  Program flight{{"up", "--scenario", "t_intersection", "--domain", id, "--out",
+                  (folder.path / "up").string()},
+                 folder.path / "up.out"};
+  Station station{{"station", "--domain", id, "--enable-control", "--recordings",
+                   (folder.path / "recordings").string()},
+                  folder.path};
+};
+
+/// One flight for all.
 class StationOnAFlight : public ::testing::Test {
  protected:
-  static constexpr const char* kScenario = "t_intersection";
-  std::string domain() const { return std::to_string(domain_.id()); }
+  static void SetUpTestSuite() { flown_ = std::make_unique<Flown>(); }
+  static void TearDownTestSuite() { flown_.reset(); }
+  std::string domain() const { return flown_->id; }
   Json monitor() {
     Program program({"monitor", "--json", "--for", "1.5", "--domain", domain()},
                     folder_.path / "monitor.out");
@@ -20,14 +39,9 @@ class StationOnAFlight : public ::testing::Test {
     return last;
   }
 
-  const FreeDomain domain_;
-  Folder folder_;
-  Program flight_{{"up", "--scenario", kScenario, "--domain", domain(), "--out",
-                   (folder_.path / "up").string()},
-                  folder_.path / "up.out"};
-  Station station_{{"station", "--domain", domain(), "--enable-control", "--recordings",
-                    (folder_.path / "recordings").string()},
-                   folder_.path};
+  static inline std::unique_ptr<Flown> flown_;
+  const Folder& folder_ = flown_->folder;
+  Station& station_ = flown_->station;
 };
 
 double number(const Json& json, const char* pointer) {
@@ -38,8 +52,16 @@ double number(const Json& json, const char* pointer) {
 TEST_F(StationOnAFlight, OfficialClientsDecodeEveryTopicUnderBothSubprotocols) {
   if (!has_npm_packages()) GTEST_SKIP() << "npm ci was not run in " << kWeb;
   ASSERT_TRUE(eventually([&] { return monitor().value("distance_m", -1.0) > 0.0; }, 60.0));
-  for (const std::string protocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
-    const Json report = probe("probe.mjs", {station_.websocket(), "4", protocol});
+  const auto probed = [this](const std::string& protocol) {
+    return std::async(std::launch::async, [=, this] {
+      return probe("probe.mjs", {station_.websocket(), "4", protocol});
+    });
+  };
+  std::map<std::string, std::future<Json>> reports;
+  for (const std::string protocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"})
+    reports[protocol] = probed(protocol);
+  for (auto& [protocol, coming] : reports) {
+    const Json report = coming.get();
     EXPECT_EQ(report["protocol"], protocol);
     EXPECT_TRUE(report["errors"].empty() && report["status"].empty()) << report["errors"];
     const auto& topics = report["topics"];
@@ -138,15 +160,15 @@ TEST_F(StationOnAFlight, WhatItRecordsReadsBackWithTheOfficialLibrary) {
   EXPECT_GT(report["topics"]["/uav1/odometry"]["samples"], 200);
 
   Folder folder;
+  const FreeDomain elsewhere;
+  const auto id = std::to_string(elsewhere.id());
+  Program writer({"replay", file.string(), "--onto-dds", "--domain", id}, folder.path / "replay");
+  Program topics({"topics", "--json", "--for", "5", "--domain", id}, folder.path / "topics");
   Station replay({"replay", file.string(), "--speed", "4"}, folder.path);
   const Json played = probe("probe.mjs", {replay.websocket(), "3"});
   EXPECT_GT(played["topics"]["/uav1/odometry"]["samples"], 100);
   EXPECT_TRUE(played["topics"]["/uav1/odometry"]["last"].contains("pose"));
 
-  const FreeDomain elsewhere;
-  const auto id = std::to_string(elsewhere.id());
-  Program writer({"replay", file.string(), "--onto-dds", "--domain", id}, folder.path / "replay");
-  Program topics({"topics", "--json", "--for", "5", "--domain", id}, folder.path / "topics");
   ASSERT_EQ(topics.wait(20.0), 0);
   std::map<std::string, int> samples;
   for (const auto& topic : Json::parse(topics.output())) samples[topic["wire"]] = topic["samples"];
