@@ -65,6 +65,11 @@ export const ServiceState = { starting: 0, running: 1, degraded: 2, stopping: 3 
 export const leaseCommand = 6;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;
 
+/** Reasons of the gate say themselves that they refuse. */
+export function outcome(result: string, reason: string): string {
+  return !reason || reason.startsWith(result) ? reason || result : `${result}: ${reason}`;
+}
+
 export const severalPeople = "several people could be the one who is followed";
 
 /** Perception's doubt, in its own words. */

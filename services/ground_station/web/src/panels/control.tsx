@@ -1,6 +1,6 @@
 // Who has control of what, the last orders and their results, the token, and STOP for all.
 import { lease, order } from "../ui/orders.ts";
-import { resultWord } from "../data/words.ts";
+import { outcome, resultWord } from "../data/words.ts";
 import type { StationVehicle } from "../data/station.ts";
 import { bytes } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
@@ -37,12 +37,12 @@ function Row({ session, vehicle }: { session: Session; vehicle: StationVehicle }
   return (
     <tr>
       <td>{vehicle.name}</td>
-      <td data-field={`lease-${vehicle.name}`}>
+      <td data-of="control" data-field={`lease-${vehicle.name}`}>
         {held ? `${held.operator}, ${Math.max(0, held.expires_s).toFixed(0)} s` : "free"}</td>
-      <td>{last ? `${last.command} by ${last.operator}` : "–"}</td>
-      <td data-field={`result-${vehicle.name}`}>
-        {last ? `${last.result}${last.reason ? `: ${last.reason}` : ""}` : "–"}</td>
-      <td>{gate && gate.command_id > 0n
+      <td data-of="last order">{last ? `${last.command} by ${last.operator}` : "–"}</td>
+      <td data-of="station" data-field={`result-${vehicle.name}`}>
+        {last ? outcome(last.result, last.reason) : "–"}</td>
+      <td data-of="safety gate">{gate && gate.command_id > 0n
         ? `${resultWord(gate.command_result)} (${gate.operator_id || "–"})` : "–"}</td>
       <td><HandOver session={session} vehicle={vehicle} /></td>
     </tr>
@@ -52,14 +52,15 @@ function Row({ session, vehicle }: { session: Session; vehicle: StationVehicle }
 function Clients({ session }: { session: Session }) {
   const clients = session.liveState.station?.message.clients ?? [];
   return (
-    <table aria-label="clients">
+    <table class="fold" aria-label="clients">
       <thead><tr><th>watching</th><th>topics</th><th>flow</th><th>waiting</th><th>left out</th></tr>
       </thead>
       <tbody>{clients.map((c) => (
         <tr key={c.id}>
-          <td>{c.address}</td><td class="n">{c.subscriptions}</td>
-          <td class="n">{bytes(c.bytes_s)}/s</td><td class="n">{bytes(c.waiting_bytes)}</td>
-          <td class="n">{c.dropped}</td>
+          <td>{c.address}</td><td class="n" data-of="topics">{c.subscriptions}</td>
+          <td class="n" data-of="flow">{bytes(c.bytes_s)}/s</td>
+          <td class="n" data-of="waiting">{bytes(c.waiting_bytes)}</td>
+          <td class="n" data-of="left out">{c.dropped}</td>
         </tr>
       ))}</tbody>
     </table>
@@ -74,7 +75,7 @@ export function ControlPanel({ session }: { session: Session }) {
         <Commands session={session} />
         <Token session={session} />
       </div>
-      <table>
+      <table class="fold">
         <thead><tr><th>vehicle</th><th>control</th><th>last order</th><th>station</th>
           <th>safety gate</th><th /></tr></thead>
         <tbody>{vehicles.map((v) => <Row key={v.name} session={session} vehicle={v} />)}</tbody>

@@ -10,7 +10,7 @@ function Services({ session }: { session: Session }) {
   const { state, vehicle } = session;
   const services = [...(vehicle?.services ?? [])].sort(([a], [b]) => a.localeCompare(b));
   return (
-    <table aria-label="services">
+    <table class="fold" aria-label="services">
       <thead><tr><th>service</th><th>state</th><th>processor</th><th>memory</th><th>work/loop</th>
         <th>age</th><th>last error</th></tr></thead>
       <tbody>{services.map(([name, heard]) => {
@@ -21,11 +21,12 @@ function Services({ session }: { session: Session }) {
           <tr key={name} data-service={name} class={silent ? "stale" : ""}>
             <td>{name}</td>
             <td><Badge mood={mood}>{silent ? "silent" : serviceWord(h.state)}</Badge></td>
-            <td class="n">{number(h.cpu_percent, 0, "%")}</td>
-            <td class="n">{bytes(Number(h.rss_bytes))}</td>
-            <td class="n">{number(h.loop_mean_ms, 1)} ({number(h.loop_max_ms, 0)}) ms</td>
-            <td class="n">{age(age_s(state, heard))}</td>
-            <td>{h.last_error}</td>
+            <td class="n" data-of="processor">{number(h.cpu_percent, 0, "%")}</td>
+            <td class="n" data-of="memory">{bytes(Number(h.rss_bytes))}</td>
+            <td class="n" data-of="work/loop">
+              {number(h.loop_mean_ms, 1)} ({number(h.loop_max_ms, 0)}) ms</td>
+            <td class="n" data-of="age">{age(age_s(state, heard))}</td>
+            <td class="wrap">{h.last_error}</td>
           </tr>
         );
       })}</tbody>
@@ -39,7 +40,7 @@ function Statuses({ state }: { state: State }) {
   const rows = [...state.diagnostics.values()].sort((a, b) =>
     b.message.level - a.message.level || a.message.name.localeCompare(b.message.name));
   return (
-    <table aria-label="diagnostics">
+    <table class="fold" aria-label="diagnostics">
       <thead><tr><th>diagnostic</th><th>level</th><th>message</th><th>values</th><th>age</th></tr>
       </thead>
       <tbody>{rows.map((heard) => {
@@ -51,7 +52,7 @@ function Statuses({ state }: { state: State }) {
             <td>{message}</td>
             <td class="wrap">{values.filter((v) => v.value).map((v) => `${v.key} ${v.value}`)
               .join(" · ")}</td>
-            <td class="n">{age(age_s(state, heard))}</td>
+            <td class="n" data-of="age">{age(age_s(state, heard))}</td>
           </tr>
         );
       })}</tbody>

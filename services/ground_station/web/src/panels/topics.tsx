@@ -54,12 +54,13 @@ function TopicRow({ row }: { row: Row }) {
     <tr data-topic={strip(row.topic)} class={silent ? "stale" : ""}>
       <td>{strip(row.topic)}</td>
       <td class="type">{row.type.replace(/^.*[/:]([^/:]+?)_?$/, "$1")}</td>
-      <td class="n" data-field="rate">{number(row.rate_hz, 1, "Hz")}</td>
-      <td class="n" data-field="age">{row.resting ? "resting" : age(row.age_s)}</td>
-      <td class="n">{row.size === null ? "–" : bytes(row.size)}</td>
-      <td class="n">{bytes(row.bytes_s)}/s</td>
-      <td class="n" data-field="writers">{row.writers ?? "–"}</td>
-      <td class="n">{row.readers === null || row.readers < 0 ? "–" : row.readers}</td>
+      <td class="n" data-of="rate" data-field="rate">{number(row.rate_hz, 1, "Hz")}</td>
+      <td class="n" data-of="age" data-field="age">{row.resting ? "resting" : age(row.age_s)}</td>
+      <td class="n" data-of="size">{row.size === null ? "–" : bytes(row.size)}</td>
+      <td class="n" data-of="flow">{bytes(row.bytes_s)}/s</td>
+      <td class="n" data-of="writers" data-field="writers">{row.writers ?? "–"}</td>
+      <td class="n" data-of="readers">
+        {row.readers === null || row.readers < 0 ? "–" : row.readers}</td>
       <td>{row.problems.map((p) => <Badge key={p} mood="warning">{p}</Badge>)}</td>
     </tr>
   );
@@ -80,7 +81,7 @@ export function TopicsPanel({ session }: { session: Session }) {
           onChange={(event) => setMine(event.currentTarget.checked)} />
           {" "}only {chosen ?? "chosen"}</label>
       </div>
-      <table aria-label="topics">
+      <table class="fold" aria-label="topics">
         <thead><tr><th>topic</th><th>type</th><th>rate</th><th>age</th><th>size</th><th>flow</th>
           <th>writers</th><th>readers</th><th>problems</th></tr></thead>
         <tbody>{rows.map((row) => <TopicRow key={row.topic} row={row} />)}</tbody>

@@ -97,14 +97,16 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
         <span data-field="order"><Badge mood="alarm">{unconfirmed.command} not confirmed</Badge></span>
       ) : null}
       <dl>
-        <dt>link</dt><dd data-field="link" class={link_s > stale_s ? "bad" : ""}>{age(link_s)}</dd>
-        <dt>battery</dt><dd data-field="battery">{battery(state, vehicle)}</dd>
-        <dt title="samples a second: odometry, person, plan">rates</dt>
-        <dd data-field="rates">{rate(state, vehicle, "odometry")} · {
-          rate(state, vehicle, "target/state")} · {rate(state, vehicle, "plan/trajectory")} Hz</dd>
-        <dt title={lost.reasons || "samples that services refused"}>losses</dt>
-        <dd data-field="losses" title={lost.reasons}>{lost.count}</dd>
-        <dt>control</dt><dd data-field="lease">{holder || "free"}</dd>
+        <div><dt>link</dt>
+          <dd data-field="link" class={link_s > stale_s ? "bad" : ""}>{age(link_s)}</dd></div>
+        <div><dt>battery</dt><dd data-field="battery">{battery(state, vehicle)}</dd></div>
+        <div><dt title="samples a second: odometry, person, plan">rates</dt>
+          <dd data-field="rates">{rate(state, vehicle, "odometry")} · {
+            rate(state, vehicle, "target/state")} · {rate(state, vehicle, "plan/trajectory")} Hz</dd>
+        </div>
+        <div><dt title={lost.reasons || "samples that services refused"}>losses</dt>
+          <dd data-field="losses" title={lost.reasons}>{lost.count}</dd></div>
+        <div><dt>control</dt><dd data-field="lease">{holder || "free"}</dd></div>
       </dl>
     </button>
   );

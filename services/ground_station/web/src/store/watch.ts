@@ -1,5 +1,6 @@
 // Conditions that come with the passing of time, and with the station's own report.
 import type { StationStatus } from "../data/station.ts";
+import { outcome } from "../data/words.ts";
 import { hold, note } from "./alarms.ts";
 import { age_s, type State } from "./state.ts";
 
@@ -47,7 +48,7 @@ export function compareStations(state: State, before: StationStatus, now: Statio
     const command = vehicle.last_command;
     if (command && command.reason && command.id !== was?.last_command?.id)
       note(state, vehicle.name, "warning",
-        `${command.command} of ${command.operator}: ${command.result}, ${command.reason}`);
+        `${command.command} of ${command.operator}: ${outcome(command.result, command.reason)}`);
   }
   const [was, is] = [before.recording?.active ?? false, now.recording?.active ?? false];
   if (was !== is)

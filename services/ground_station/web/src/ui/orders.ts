@@ -1,4 +1,5 @@
 // Orders and leases, and what came of them.
+import { outcome } from "../data/words.ts";
 import type { Command, LeaseAction } from "./operator.ts";
 import type { Session } from "./session.ts";
 
@@ -7,7 +8,7 @@ export async function order(session: Session, vehicle: string, command: Command)
   session.notice(`${command} ${vehicle} …`);
   const { ok, reason } = await session.operator.command(vehicle, command);
   const lost = reason.startsWith("the safety gate did not answer");
-  const result = ok ? "sent" : `${lost ? "NOT CONFIRMED" : "refused"}, ${reason}`;
+  const result = ok ? "sent" : outcome(lost ? "NOT CONFIRMED" : "refused", reason);
   session.notice(`${command} ${vehicle}: ${result}`, !ok);
 }
 
@@ -15,11 +16,11 @@ export async function lease(session: Session, vehicle: string, action: LeaseActi
                             to?: string): Promise<void> {
   const { ok, reason } = await session.operator.lease(vehicle, action, to);
   const words = { take: "control taken", release: "control released", hand_over: "handed over" };
-  session.notice(ok ? `${vehicle}: ${words[action]}` : `${vehicle}: refused, ${reason}`, !ok);
+  session.notice(ok ? `${vehicle}: ${words[action]}` : `${vehicle}: ${outcome("refused", reason)}`, !ok);
 }
 
 export async function record(session: Session, action: "start" | "stop"): Promise<void> {
   const { ok, reason } = await session.operator.record(action);
   session.notice(ok ? `recording: ${action === "start" ? "started" : "ended"}`
-    : `recording: refused, ${reason}`, !ok);
+    : `recording: ${outcome("refused", reason)}`, !ok);
 }

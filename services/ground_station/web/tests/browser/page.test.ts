@@ -249,6 +249,9 @@ test("on a phone nothing is cut off, and STOP is on every tab", async () => {
     assert.ok(box.y + box.height <= 844 && box.x + box.width <= 390, name);
     const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 390, `${name}: ${wide} px wide`);
+    const aside = await phone.locator(".table").evaluateAll((tables) =>
+      tables.map((table) => table.scrollWidth - table.clientWidth));
+    assert.ok(aside.every((px) => px <= 0), `${name}: its table scrolls sideways`);
   }
   await phone.context().close();
 });
