@@ -147,7 +147,7 @@ test("the station's report raises mismatches and tells of refused orders", () =>
       Object.assign(input.sample, { vehicle: "", name: "station/status" });
     return input;
   }));
-  assert.equal(texts(state).filter((t) => t === "hold of ada: refused, bob has control").length, 1);
+  assert.equal(texts(state).filter((t) => t === "hold of ada: refused: bob has control").length, 1);
   assert.equal(alarm(state, "a qos /a/odometry")!.cleared_s, 2);
 });
 
