@@ -96,19 +96,40 @@ std::string text_of_file(const std::string& path) {
   return text.str();
 }
 
-Episode replay(const Track& track) {
+// Notes the person's walk and what a tracker sees of it.
+void walk_and_watch(Person person, std::uint64_t seed, double longest_s, Episode& episode) {
+  Tracker tracker(seed);
+  const int count = static_cast<int>(std::min(longest_s, person.walk.duration_s()) / kTruthStep_s);
+  for (int i = 0; i < count; ++i) {
+    const PersonState& s = person.state;
+    const Vec2 position_m = s.position_enu_m.head<2>();
+    episode.truth.samples.push_back({position_m, s.velocity_enu_m_s.head<2>()});
+    if (i % kTruthPerEstimate == 0)
+      episode.estimates.push_back(tracker.see(i * kTruthStep_s, position_m, s.body_yaw_rad));
+    advance(person, kTruthStep_s);
+  }
+}
+
+// Nothing but ground for 10 m around a track.
+World free_world(const Track& track) {
+  World world;
+  Vec2 low = track.points.front().position_m, high = low;
+  for (const TrackPoint& p : track.points) {
+    low = low.cwiseMin(p.position_m);
+    high = high.cwiseMax(p.position_m);
+  }
+  world.min_m << low - Vec2::Constant(10.0), kHeight_m - 2.0 * kMapResolution_m;
+  world.max_m << high + Vec2::Constant(10.0), kHeight_m + 2.0 * kMapResolution_m;
+  return world;
+}
+
+Episode replay(const Track& track, std::uint64_t seed) {
   Episode episode;
   episode.name = "recorded";
-  const Walk walk = walk_through(track.points);
-  Tracker tracker(static_cast<std::uint64_t>(track.pedestrian) + 1);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const int count = static_cast<int>(walk.duration_s() / kTruthStep_s);
-  for (int i = 0; i < count; ++i) {
-    const WalkPoint here = walk.at(i * kTruthStep_s);
-    episode.truth.samples.push_back({here.position_m, here.velocity_m_s});
-    if (i % kTruthPerEstimate == 0)
-      episode.estimates.push_back(tracker.see(i * kTruthStep_s, here.position_m, nan));
-  }
+  episode.map = known_map(free_world(track), kMapResolution_m);
+  PersonParams params;
+  params.start_s = 0.0;
+  walk_and_watch(make_person(params, walk_through(track.points), 0.0), seed, 1e9, episode);
   return episode;
 }
 
@@ -120,19 +141,20 @@ Episode simulate_walk(const SimulatedWalk& walk) {
   const Passages place = place_of(walk);
   episode.map = known_map(place.world, kMapResolution_m);
   Random random(walk.seed);
-  Person person = make_person(person_params(walk, random),
-                              walk_along(place.route_m, {.speed_m_s = walk.speed_m_s}), 0.0);
-  Tracker tracker(walk.seed);
-  const double until_s = std::min(walk.duration_s, person.walk.duration_s());
-  const int count = static_cast<int>(until_s / kTruthStep_s);
-  for (int i = 0; i < count; ++i) {
-    const PersonState& s = person.state;
-    episode.truth.samples.push_back({s.position_enu_m.head<2>(), s.velocity_enu_m_s.head<2>()});
-    if (i % kTruthPerEstimate == 0)
-      episode.estimates.push_back(
-          tracker.see(i * kTruthStep_s, s.position_enu_m.head<2>(), s.body_yaw_rad));
-    advance(person, kTruthStep_s);
-  }
+  walk_and_watch(make_person(person_params(walk, random),
+                             walk_along(place.route_m, {.speed_m_s = walk.speed_m_s}), 0.0),
+                 walk.seed, walk.duration_s, episode);
+  return episode;
+}
+
+Episode without_map(Episode episode) {
+  episode.map = {};
+  return episode;
+}
+
+Episode without_body(Episode episode) {
+  for (TargetState& s : episode.estimates)
+    s.body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
   return episode;
 }
 
@@ -149,7 +171,7 @@ std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds) {
   return walks;
 }
 
-std::vector<RecordedWalk> recorded_walks(const std::string& path) {
+std::vector<RecordedWalk> recorded_walks(const std::string& path, int rounds) {
   constexpr double kFrames_hz = 25.0, kShortest_s = 3.0;
   const std::string text = text_of_file(path);
   std::vector<RecordedWalk> walks;
@@ -157,7 +179,9 @@ std::vector<RecordedWalk> recorded_walks(const std::string& path) {
   for (const Track& track : parse_tracks(text, TrackFormat::kOpenTraj, kFrames_hz, path)) {
     if (track.points.size() < 4) continue;
     if (track.points.back().time_s - track.points.front().time_s < kShortest_s) continue;
-    walks.push_back({track.pedestrian, replay(track)});
+    const auto seed = static_cast<std::uint64_t>(1000 * track.pedestrian);
+    for (int round = 1; round <= rounds; ++round)
+      walks.push_back({track.pedestrian, replay(track, seed + round)});
   }
   return walks;
 }

@@ -24,6 +24,10 @@ struct Episode {
   std::vector<TargetState> estimates;
 };
 
+/// As if the map, or the body's yaw, were not known.
+Episode without_map(Episode episode);
+Episode without_body(Episode episode);
+
 struct SimulatedWalk {
   bool in_passages = false;  // else in a world of this kind
   WorldKind kind = WorldKind::kEmpty;
@@ -40,12 +44,13 @@ Episode simulate_walk(const SimulatedWalk& walk);
 /// seed on.
 std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds);
 
-/// Recorded pedestrians of a file in OpenTraj's format: no map, no body yaw. Empty if there is no
-/// such file.
+/// Recorded pedestrians of a file in OpenTraj's format, on free ground; the chest, which was not
+/// recorded, turns ahead of the path as a simulated person's. Each is seen `rounds` times, with
+/// other noise. Empty if there is no such file.
 struct RecordedWalk {
   int pedestrian = 0;
   Episode episode;
 };
-std::vector<RecordedWalk> recorded_walks(const std::string& path);
+std::vector<RecordedWalk> recorded_walks(const std::string& path, int rounds);
 
 }  // namespace foretrack::bench

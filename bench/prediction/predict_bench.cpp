@@ -159,17 +159,22 @@ Json report(const char* name, Score& score) {
 
 int run(const std::string& tracks, const std::string& json_path) {
   Json out;
-  Score passages, open_worlds, recorded;
+  Score passages, open_worlds, recorded, with_body;
   for (const SimulatedWalk& walk : held_out_walks())
     run_episode(simulate_walk(walk), walk.in_passages ? passages : open_worlds);
   out["passages"] = report("Simulated passages, held-out", passages);
   out["open_worlds"] = report("Simulated open worlds, held-out", open_worlds);
-  for (const RecordedWalk& walk : recorded_walks(tracks))
-    if (is_held_out(walk)) run_episode(walk.episode, recorded);
+  for (const RecordedWalk& walk : recorded_walks(tracks, 3))
+    if (is_held_out(walk)) {
+      run_episode(without_map(without_body(walk.episode)), recorded);
+      run_episode(walk.episode, with_body);
+    }
   if (recorded.times_us.empty())
     std::printf("\nno recorded tracks at '%s': skipped\n", tracks.c_str());
-  else
-    out["recorded"] = report("Recorded, held-out pedestrians", recorded);
+  else {
+    out["recorded"] = report("Recorded, held-out pedestrians: the track alone", recorded);
+    out["recorded_with_body"] = report("The same, free ground and a chest that leads", with_body);
+  }
   if (json_path.empty()) return 0;
   std::ofstream file(json_path);
   file << out.dump(1) << '\n';

@@ -21,19 +21,16 @@ std::optional<Intention> label_of(const Truth& truth, int i, const TargetState& 
 
 }  // namespace
 
-std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params,
-                               bool hide_map, bool hide_body) {
+std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params) {
   constexpr int kEvery = 3;
-  const GridMap nothing;
-  const GridMap& map = hide_map ? nothing : episode.map;
+  const GridMap& map = episode.map;
   std::vector<Window> windows;
   MotionHistory history;
   for (int k = 0; k < static_cast<int>(episode.estimates.size()); ++k) {
-    TargetState target = episode.estimates[k];
-    if (hide_body) target.body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
+    const TargetState& target = episode.estimates[k];
     const MotionCues motion = observe_motion(history, target, params);
     if (k % kEvery != 0) continue;
-    const auto label = label_of(episode.truth, k * kTruthPerEstimate, episode.estimates[k]);
+    const auto label = label_of(episode.truth, k * kTruthPerEstimate, target);
     if (!label) continue;
     const Surroundings surroundings = observe_surroundings(map, motion, params);
     IntentionAssessment assessment;

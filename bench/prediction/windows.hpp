@@ -14,8 +14,7 @@ struct Window {
   Intention label = Intention::kForward;
 };
 
-/// One window every 0.12 s. hide_map, hide_body: as if the map or the body's yaw were not known.
-std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params,
-                               bool hide_map, bool hide_body);
+/// One window every 0.12 s.
+std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params);
 
 }  // namespace foretrack::bench

@@ -67,6 +67,8 @@ void add_motion(TurnWriter& out, const Side& side, const MotionCues& motion) {
   out.add(left_rad * (1.0 - motion.manoeuvre));
   out.add(motion.manoeuvre);
   out.add(std::clamp(motion.recent_fall_m_s[0], -1.0, 1.0));
+  out.add(motion.log_turns_per_s);
+  out.add(std::exp(-motion.straight_s / 3.0));
 }
 
 // soon: nearness of an obstacle ahead.

@@ -10,7 +10,7 @@ namespace foretrack {
 /// The same features describe both turns, mirrored. Without a map, or without a body yaw, those
 /// that need it are 0 and other weights are used (see calibrate.hpp).
 struct IntentionFeatures {
-  static constexpr int kTurnCount = 54;
+  static constexpr int kTurnCount = 56;
   static constexpr int kDecelerateCount = 16;
   std::array<double, kTurnCount> left{};
   std::array<double, kTurnCount> right{};

@@ -103,6 +103,9 @@ MotionCues observe_motion(MotionHistory& h, const TargetState& target,
   cues.heading_rad = cues.walking || !cues.body_known ? velocity_yaw : target.body_yaw_rad;
   read_body(h, target, cues);
   read_changes(h, measured.velocity_m_s, target.stamp_s, params, cues);
+  follow(h.habit, target.stamp_s, cues.recent_turn_rad, cues.walking);
+  cues.log_turns_per_s = h.habit.log_rate();
+  cues.straight_s = h.habit.straight_s;
   return cues;
 }
 

@@ -7,6 +7,7 @@
 #include "core/prediction/motion_models.hpp"
 #include "core/prediction/params.hpp"
 #include "core/prediction/steady_walk.hpp"
+#include "core/prediction/turn_habit.hpp"
 
 namespace foretrack {
 
@@ -23,6 +24,7 @@ struct MotionHistory {
   int newest = 0;
   int count = 0;
   SteadyWalk walk;
+  TurnHabit habit;
 
   /// i = 0: the newest.
   const Sample& back(int i) const { return samples[(newest - i + kCapacity) % kCapacity]; }
@@ -50,6 +52,8 @@ struct MotionCues {
   Vec2 acceleration_m_s2 = Vec2::Zero();    // beyond what noise of the velocity looks like
   double turn_rate_rad_s = 0.0;             // of the velocity, over the same interval
   double recent_turn_rad = 0.0;             // of the velocity, over the last second
+  double log_turns_per_s = 0.0;             // as often as the target has turned so far
+  double straight_s = 0.0;                  // walked since its last turn
 };
 
 /// Adds the target to the history and reads the cues. A stamp that goes back, or a gap of more than

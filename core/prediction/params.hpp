@@ -46,8 +46,8 @@ struct PredictionParams {
   double deceleration_m_s2 = 2.0;
   double target_radius_m = 0.3;
   double acceleration_interval_s = 0.2;
-  double velocity_noise_m_s = 0.25;
-  double acceleration_goes_on_s = 0.2;
+  double velocity_noise_m_s = 0.4;
+  double acceleration_goes_on_s = 0.12;
   double braking_keeps = 0.3;
   double shoulder_lead_s = 0.3;
   double turn_acceleration_m_s2 = 3.0;
