@@ -7,7 +7,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kLongestGap_s = 1.0;
+constexpr double kLongestPause_s = 1.0;
 constexpr double kMemory_s = 60.0;
 constexpr double kTurn_rad = rad(30.0), kOver_rad = rad(12.0);
 // Before anything was seen: a turn in five seconds, believed as if seen once.
@@ -23,7 +23,7 @@ void follow(TurnHabit& habit, double stamp_s, double recent_turn_rad, bool walki
   const double dt_s = stamp_s - habit.stamp_s;
   if (dt_s < 0.0) habit = {};
   habit.stamp_s = stamp_s;
-  if (dt_s < 0.0 || dt_s > kLongestGap_s || !walking) return;
+  if (dt_s < 0.0 || dt_s > kLongestPause_s || !walking) return;
   const double kept = std::exp(-dt_s / kMemory_s);
   habit.turns *= kept;
   habit.walked_s = kept * habit.walked_s + dt_s;
