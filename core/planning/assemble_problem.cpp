@@ -75,7 +75,9 @@ Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& t
 
 bool build_corridor(const SearchContext& context, const FlightPath& path,
                     CorridorWorkspace& workspace, std::vector<Polytope>& corridor) {
-  const double radius_m = context.params.check.vehicle_radius_m;
+  // A vehicle that brakes hard lags behind its plan: where there is room, this is kept for it.
+  const double radius_m =
+      context.params.check.vehicle_radius_m + context.params.place.corridor_clearance_m;
   CorridorParams params{radius_m, context.params.place.corridor_reach_m,
                         context.params.place.corridor_height_m};
   resize_polytopes(workspace, corridor, path.vertices.size() - 1);

@@ -42,6 +42,7 @@ struct PlaceParams {
   double search_clearance_m = 0.1;     // of the path, beyond the vehicle's radius
   int search_expansions_max = 2000;    // of all searches of one plan
   int sector_steps = 24;               // rays in a quarter turn
+  double corridor_clearance_m = 0.03;  // of the corridor, beyond the radius, where there is room
   double corridor_reach_m = 1.2;       // of a polytope, beyond its segment
   double corridor_height_m = 0.5;      // the same, up and down
   double segment_max_m = 2.5;          // length of path in one polytope
