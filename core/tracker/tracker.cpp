@@ -1,7 +1,11 @@
 #include "core/tracker/tracker.hpp"
 
+#include <algorithm>
+
 namespace foretrack {
 namespace {
+
+constexpr double kLongestDelay_s = 1.0;
 
 const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
   if (input.known_map) return input.known_map;
@@ -19,10 +23,15 @@ TrackerState::TrackerState(const TrackerParams& params) : mapping(params.mapping
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params) {
   TrackerOutput out;
   state.vehicles.add(input.vehicle);
-  if (input.observation)
+  if (input.observation) {
+    state.delay_s = std::clamp(input.now_s - input.observation->stamp_s, 0.0, kLongestDelay_s);
     perceive(state.perception, *input.observation, state.vehicles, params.perception,
              input.torso_depth_m);
+  }
   out.target = coast(state.perception, input.now_s, params.perception);
+  // A camera that is always late does not make the target a hidden one.
+  out.target.status =
+      coast(state.perception, input.now_s - state.delay_s, params.perception).status;
   if (input.depth)
     update_map(state.mapping, *input.depth, state.vehicles, &out.target, params.mapping);
   out.map = map_of(state, input);

@@ -46,6 +46,7 @@ struct TrackerState {
   PredictionState prediction;
   PlanningState planning;
   GateState gate;
+  double delay_s = 0.0;  // age of the newest observation when it came
   double next_plan_s = -1.0;
   std::uint64_t last_plan_id = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -55,6 +56,17 @@ TEST(Fly, TheTrackerKeepsAStraightWalkInView) {
   EXPECT_EQ(flight.metrics.collisions, 0);
   EXPECT_GT(flight.metrics.band_share, 0.8);
   EXPECT_GT(flight.metrics.plan_ms.p50, 0.0);
+}
+
+TEST(Fly, ALateCameraDoesNotMakeTheTargetAHiddenOne) {
+  Scenario scenario = straight_walk();
+  scenario.landmark_camera.delay_s = 0.3;
+  const FlightResult flight = fly(scenario, {});
+  EXPECT_LT(flight.metrics.failure_rate, 0.02);
+  const auto late = std::count_if(flight.rows.begin() + 200, flight.rows.end(), [](const auto& r) {
+    return r.estimate.status != TrackStatus::kTracking;
+  });
+  EXPECT_EQ(late, 0);
 }
 
 TEST(Fly, TheSameSeedGivesTheSameLogAndAnotherSeedAnother) {
