@@ -129,4 +129,8 @@ ImageRegion region_of_body(const Vec2& middle_px, const Vec2& end_px) {
   return region;
 }
 
+ImageRegion region_of_body(const Detection& person) {
+  return region_of_body(person.points_px[0], person.points_px[1]);
+}
+
 }  // namespace foretrack

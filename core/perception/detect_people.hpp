@@ -31,5 +31,6 @@ ImageRegion whole_of(const RgbImage& image);
 
 /// The square around a body from its middle to a point that is half its size away.
 ImageRegion region_of_body(const Vec2& middle_px, const Vec2& end_px);
+ImageRegion region_of_body(const Detection& person);
 
 }  // namespace foretrack

@@ -138,11 +138,6 @@ void filter(PerceptionState& state, const PerceptionParams& params, PerceptionRe
   result.mahalanobis = state.entries[index].estimate.mahalanobis;
 }
 
-TrackStatus status_at_age(double age_s, const PerceptionParams& params) {
-  if (age_s <= params.tracking_age_s) return TrackStatus::kTracking;
-  return age_s <= params.lost_age_s ? TrackStatus::kCoasting : TrackStatus::kLost;
-}
-
 }  // namespace
 
 std::string_view to_string(PerceptionStatus status) {
@@ -172,6 +167,15 @@ PerceptionResult perceive(PerceptionState& state, const TargetObservation& obser
   return result;
 }
 
+TrackStatus track_status(const PerceptionState& state, double now_s,
+                         const PerceptionParams& params) {
+  if (state.count == 0) return TrackStatus::kNone;
+  const TargetEstimate& newest = state.entries[state.count - 1].estimate;
+  const double age_s = std::max(now_s, newest.stamp_s) - newest.accepted_s;
+  if (age_s <= params.tracking_age_s) return TrackStatus::kTracking;
+  return age_s <= params.lost_age_s ? TrackStatus::kCoasting : TrackStatus::kLost;
+}
+
 TargetState coast(const PerceptionState& state, double now_s, const PerceptionParams& params) {
   TargetState target;
   target.stamp_s = now_s;
@@ -179,7 +183,7 @@ TargetState coast(const PerceptionState& state, double now_s, const PerceptionPa
   const TargetEstimate& newest = state.entries[state.count - 1].estimate;
   const TargetEstimate e = predict_estimate(newest, std::max(now_s, newest.stamp_s), params);
   target.stamp_s = e.stamp_s;
-  target.status = status_at_age(e.stamp_s - e.accepted_s, params);
+  target.status = track_status(state, now_s, params);
   target.position_enu_m = e.mean.head<3>();
   target.velocity_enu_m_s = e.mean.tail<3>();
   target.covariance = e.covariance;

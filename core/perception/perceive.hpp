@@ -54,6 +54,11 @@ PerceptionResult perceive(PerceptionState& state, const TargetObservation& obser
                           const VehicleHistory& vehicle, const PerceptionParams& params,
                           double torso_depth_m = std::numeric_limits<double>::quiet_NaN());
 
+/// Tracking, coasting or lost at now_s, by the age of the last accepted measurement. Before the
+/// newest measurement: as at it.
+TrackStatus track_status(const PerceptionState& state, double now_s,
+                         const PerceptionParams& params);
+
 /// The estimate at now_s: the covariance grows with the age of the last accepted measurement, and
 /// the status goes from tracking to coasting to lost. Before the newest measurement: as at it.
 TargetState coast(const PerceptionState& state, double now_s, const PerceptionParams& params);

@@ -110,9 +110,8 @@ void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork
   result.ambiguous = result.ambiguous || people.size() > 1;
   std::optional<Judgement> best;
   for (std::size_t k = 0; k < std::min(people.size(), kMostTried); ++k) {
-    const auto& points = people[k].points_px;
-    const auto pose = find_landmarks(image, region_of_body(points[0], points[1]),
-                                     *network.landmarks, params.min_pose_score);
+    const auto pose =
+        find_landmarks(image, region_of_body(people[k]), *network.landmarks, params.min_pose_score);
     if (!pose) continue;
     Judgement j = judge(state, image, *pose, stamp_s, params);
     result.ambiguous = result.ambiguous || j.doubtful || !j.theirs;
@@ -188,8 +187,8 @@ std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,
     const ImageRegion window = *search_window(image, std::nullopt, look);
     for (const auto& d :
          detect_people(image, window, *network.detector, params.min_detection_score))
-      if (const auto found = find_landmarks(image, region_of_body(d.points_px[0], d.points_px[1]),
-                                            *network.landmarks, params.min_pose_score))
+      if (const auto found =
+              find_landmarks(image, region_of_body(d), *network.landmarks, params.min_pose_score))
         people.push_back(*found);
   }
   return people;

@@ -67,8 +67,7 @@ void look_around(PoseState& state, const RgbImage& image, double stamp_s, PoseNe
   const Detection* person = nearest_new(state, people, stamp_s);
   if (!person) return;
   const auto pose =
-      find_landmarks(image, region_of_body(person->points_px[0], person->points_px[1]),
-                     *network.landmarks, params.min_pose_score);
+      find_landmarks(image, region_of_body(*person), *network.landmarks, params.min_pose_score);
   if (!pose || is_near(state, pose->torso_px(), kSame)) return;
   state.other = {};
   remember(state.other, *pose, appearance_of(image, *pose), stamp_s, true);

@@ -31,7 +31,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   out.target = coast(state.perception, input.now_s, params.perception);
   // A camera that is always late does not make the target a hidden one.
   out.target.status =
-      coast(state.perception, input.now_s - state.delay_s, params.perception).status;
+      track_status(state.perception, input.now_s - state.delay_s, params.perception);
   if (input.depth)
     update_map(state.mapping, *input.depth, state.vehicles, &out.target, params.mapping);
   out.map = map_of(state, input);
