@@ -113,13 +113,9 @@ void walk_and_watch(Person person, std::uint64_t seed, double longest_s, Episode
 // Nothing but ground for 10 m around a track.
 World free_world(const Track& track) {
   World world;
-  Vec2 low = track.points.front().position_m, high = low;
-  for (const TrackPoint& p : track.points) {
-    low = low.cwiseMin(p.position_m);
-    high = high.cwiseMax(p.position_m);
-  }
-  world.min_m << low - Vec2::Constant(10.0), kHeight_m - 2.0 * kMapResolution_m;
-  world.max_m << high + Vec2::Constant(10.0), kHeight_m + 2.0 * kMapResolution_m;
+  const auto bounds = bounds_of(track.points);
+  world.min_m << bounds.min() - Vec2::Constant(10.0), kHeight_m - 2.0 * kMapResolution_m;
+  world.max_m << bounds.max() + Vec2::Constant(10.0), kHeight_m + 2.0 * kMapResolution_m;
   return world;
 }
 

@@ -96,4 +96,10 @@ const Track& track_of(const std::vector<Track>& tracks, int pedestrian,
                               "; there are " + runs_of(tracks));
 }
 
+Eigen::AlignedBox2d bounds_of(std::span<const TrackPoint> points) {
+  Eigen::AlignedBox2d bounds;
+  for (const TrackPoint& point : points) bounds.extend(point.position_m);
+  return bounds;
+}
+
 }  // namespace foretrack

@@ -1,7 +1,9 @@
 // Recorded pedestrians: text rows into tracks.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,5 +31,8 @@ std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, doubl
 /// The track of one pedestrian. Throws std::invalid_argument that lists those that exist.
 const Track& track_of(const std::vector<Track>& tracks, int pedestrian,
                       const std::string& file_name);
+
+/// The least box around the points.
+Eigen::AlignedBox2d bounds_of(std::span<const TrackPoint> points);
 
 }  // namespace foretrack

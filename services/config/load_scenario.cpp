@@ -48,13 +48,9 @@ std::vector<TrackPoint> load_track(const TrackSource& source, const fs::path& sc
 
 // Around the track, and around what is there already if keep says so.
 void bounds_around(const std::vector<TrackPoint>& track, bool keep, World& world) {
-  Vec2 low = track.front().position_m, high = low;
-  for (const auto& point : track) {
-    low = low.cwiseMin(point.position_m);
-    high = high.cwiseMax(point.position_m);
-  }
-  low.array() -= kTrackMargin_m;
-  high.array() += kTrackMargin_m;
+  const auto bounds = bounds_of(track);
+  const Vec2 low = bounds.min() - Vec2::Constant(kTrackMargin_m);
+  const Vec2 high = bounds.max() + Vec2::Constant(kTrackMargin_m);
   world.min_m.head<2>() = keep ? world.min_m.head<2>().cwiseMin(low).eval() : low;
   world.max_m.head<2>() = keep ? world.max_m.head<2>().cwiseMax(high).eval() : high;
 }
