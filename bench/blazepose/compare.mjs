@@ -8,6 +8,8 @@ import {basename, dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {parseArgs} from 'node:util';
 
+import {usualPictures} from './pictures.mjs';
+
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, '../..');
 const {values: options, positionals} = parseArgs({
@@ -18,12 +20,7 @@ const {values: options, positionals} = parseArgs({
     limit: {type: 'string', default: '1.0'},
   },
 });
-const usual = [
-  join(root, 'tests/data/basketball.png'),
-  '/usr/share/doc/opencv-doc/examples/data/basketball2.png',
-  '/usr/lib/python3/dist-packages/skimage/data/astronaut.png',
-];
-const pictures = positionals.length ? positionals : usual.filter(existsSync);
+const pictures = positionals.length ? positionals : usualPictures();
 const original = join(root, 'models/mediapipe');
 if (!existsSync(original))
   execFileSync(join(root, 'deploy/models/fetch.sh'), ['--package', original], {stdio: 'inherit'});
