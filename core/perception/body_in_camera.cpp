@@ -13,11 +13,14 @@ std::optional<BodyInCamera> locate_body(const PersonPose& person, const CameraMo
   const auto joint = [&](TorsoJoint j) -> Vec3 {
     return pose->joint_camera_m(scale * observation.landmarks[j].body_m);
   };
-  const Vec3 left = joint(kLeftShoulder), right = joint(kRightShoulder);
   BodyInCamera body;
-  body.torso_camera_m = 0.25 * (left + right + joint(kLeftHip) + joint(kRightHip));
+  body.torso_camera_m =
+      0.25 * (joint(kLeftShoulder) + joint(kRightShoulder) + joint(kLeftHip) + joint(kRightHip));
   // Ahead is z, to the left is −x; the chest is a quarter turn clockwise of right → left shoulder.
-  const Vec3 across = left - right;
+  const auto seen = [&](TorsoJoint j) {
+    return seen_joint_m(*pose, observation.landmarks[j], camera, params);
+  };
+  const Vec3 across = seen(kLeftShoulder) - seen(kRightShoulder);
   body.yaw_rad = std::atan2(-across.z(), -across.x());
   return body;
 }

@@ -37,6 +37,11 @@ bool is_visible(const Landmark& landmark, const PerceptionParams& params) {
          landmark.body_m.allFinite();
 }
 
+Vec2 ray_of(const Vec2& image_px, const CameraModel& camera) {
+  return {(image_px.x() - camera.cx_px) / camera.fx_px,
+          (image_px.y() - camera.cy_px) / camera.fy_px};
+}
+
 Pairs visible_pairs(const std::array<Landmark, kLandmarkCount>& landmarks,
                     const CameraModel& camera, const PerceptionParams& params) {
   const double scale = params.target_height_m / params.landmark_height_m;
@@ -44,9 +49,7 @@ Pairs visible_pairs(const std::array<Landmark, kLandmarkCount>& landmarks,
   for (int i = 0; i < kLandmarkCount; ++i) {
     const Landmark& l = landmarks[i];
     if (!is_visible(l, params)) continue;
-    const Vec2 ray((l.image_px.x() - camera.cx_px) / camera.fx_px,
-                   (l.image_px.y() - camera.cy_px) / camera.fy_px);
-    pairs.items[pairs.count++] = {ray, scale * l.body_m, i};
+    pairs.items[pairs.count++] = {ray_of(l.image_px, camera), scale * l.body_m, i};
   }
   return pairs;
 }
@@ -177,6 +180,13 @@ int visible_count(const std::array<Landmark, kLandmarkCount>& landmarks,
   int count = 0;
   for (const Landmark& l : landmarks) count += is_visible(l, params);
   return count;
+}
+
+Vec3 seen_joint_m(const BodyPose& pose, const Landmark& landmark, const CameraModel& camera,
+                  const PerceptionParams& params) {
+  const double scale = params.target_height_m / params.landmark_height_m;
+  const double depth_m = pose.joint_camera_m(scale * landmark.body_m).z();
+  return depth_m * ray_of(landmark.image_px, camera).homogeneous();
 }
 
 std::optional<BodyPose> estimate_body_pose(const std::array<Landmark, kLandmarkCount>& landmarks,

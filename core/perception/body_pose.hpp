@@ -31,6 +31,11 @@ std::optional<BodyPose> estimate_body_pose(const std::array<Landmark, kLandmarkC
                                            const CameraModel& camera,
                                            const PerceptionParams& params);
 
+/// A joint where the image shows it, at the depth that the pose gives it; optical frame. Across the
+/// line of sight, a network's image points are more accurate than its joints in the human frame.
+Vec3 seen_joint_m(const BodyPose& pose, const Landmark& landmark, const CameraModel& camera,
+                  const PerceptionParams& params);
+
 /// Landmarks that are visible enough and finite.
 int visible_count(const std::array<Landmark, kLandmarkCount>& landmarks,
                   const PerceptionParams& params);

@@ -51,9 +51,8 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
   const auto joint_camera_m = [&](TorsoJoint joint) -> Vec3 {
     return body->joint_camera_m(scale * observation.landmarks[joint].body_m);
   };
-  const Vec3 left_m = joint_camera_m(kLeftShoulder), right_m = joint_camera_m(kRightShoulder);
-  Vec3 torso_camera_m =
-      0.25 * (left_m + right_m + joint_camera_m(kLeftHip) + joint_camera_m(kRightHip));
+  Vec3 torso_camera_m = 0.25 * (joint_camera_m(kLeftShoulder) + joint_camera_m(kRightShoulder) +
+                                joint_camera_m(kLeftHip) + joint_camera_m(kRightHip));
   const double farther = depth_correction(torso_camera_m, torso_depth_m, params);
   if (farther > 0.0) torso_camera_m *= farther;
   TorsoMeasurement& m = result.measured;
@@ -61,8 +60,12 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
   const double noise = body->noise_scale * body->noise_scale;
   const Vec3 sight_m = T_world_camera.linear() * torso_camera_m;
   m.covariance_m2 = noise * position_noise(sight_m, farther > 0.0, params);
+  const auto seen_m = [&](TorsoJoint joint) -> Vec3 {
+    return T_world_camera *
+           seen_joint_m(*body, observation.landmarks[joint], observation.camera, params);
+  };
   if (body->used[kLeftShoulder] && body->used[kRightShoulder])
-    m.yaw_rad = yaw_from_shoulders(T_world_camera * left_m, T_world_camera * right_m);
+    m.yaw_rad = yaw_from_shoulders(seen_m(kLeftShoulder), seen_m(kRightShoulder));
   m.yaw_variance_rad2 = noise * params.yaw_noise_rad * params.yaw_noise_rad;
   result.used_landmarks = body->used_count;
   result.reprojection_rms_px = body->reprojection_rms_px;

@@ -42,6 +42,7 @@ struct PoseState {
   double looked_s = -1e9;   // when the detector ran last
   double watched_s = -1e9;  // and when for others
   int looks = 0;            // of the detector since the chosen person was seen
+  int watches = 0;          // of the detector for others
 };
 
 /// Landmarks of the chosen person: in the region from the last image while they are tracked, by the

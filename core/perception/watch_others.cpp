@@ -8,7 +8,8 @@ namespace foretrack {
 namespace {
 
 // Lengths in sizes of the chosen person's region.
-constexpr double kAround = 3.0;  // side of what is looked at
+constexpr double kAround = 2.0;  // side of what is looked at
+constexpr double kAside = 0.75;  // its middle, to the left and to the right in turns
 constexpr double kFar = 1.5;     // nobody to care for
 constexpr double kSame = 0.1;    // nearer, it is the same person
 constexpr double kSameDetected = 0.15;
@@ -61,8 +62,10 @@ void look_around(PoseState& state, const RgbImage& image, double stamp_s, PoseNe
   state.watched_s = stamp_s;
   const ImageRegion whole = whole_of(image);
   const double side_px = kAround * state.chosen.size_px;
-  const ImageRegion window =
-      side_px < whole.size_px ? ImageRegion{state.place.px, side_px, 0.0} : whole;
+  const double aside_px = (state.watches++ % 2 ? kAside : -kAside) * state.chosen.size_px;
+  const ImageRegion window = side_px < whole.size_px
+                                 ? ImageRegion{state.place.px + Vec2(aside_px, 0.0), side_px, 0.0}
+                                 : whole;
   const auto people = detect_people(image, window, *network.detector, params.min_detection_score);
   const Detection* person = nearest_new(state, people, stamp_s);
   if (!person) return;

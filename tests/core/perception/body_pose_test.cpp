@@ -60,6 +60,26 @@ TEST(BodyPose, YawIsWhereTheChestPointsAtFourHeadings) {
     }
 }
 
+// A network's joints are wrong across the line of sight rather than its image points.
+TEST(BodyPose, YawIsByWhereTheImageShowsTheShoulders) {
+  for (double bearing = 0.1; bearing < 6.2; bearing += 0.4) {
+    const PersonState person = person_with_yaw(0.4);
+    const Vec3 place =
+        person.hips_enu_m + Vec3(3.0 * std::cos(bearing), 3.0 * std::sin(bearing), 0.4);
+    const VehicleState vehicle = vehicle_at(1.0, place, person.hips_enu_m);
+    VehicleHistory history;
+    history.add(vehicle);
+    Random random(1);
+    auto o = observe(person, vehicle, LandmarkNoise::none(), random);
+    const double wrong_m = 0.05;
+    o.landmarks[kLeftShoulder].body_m.x() += wrong_m;
+    o.landmarks[kRightShoulder].body_m.x() -= wrong_m;
+    PerceptionState state;
+    const auto result = perceive(state, o, history, kParams);
+    EXPECT_NEAR(wrap_angle(result.measured.yaw_rad - 0.4), 0.0, rad(2.0)) << bearing;
+  }
+}
+
 TEST(BodyPose, IsWithinCentimetresWithNoise) {
   for (double range_m : {2.0, 3.0, 4.0}) {
     double squares = 0.0, yaw_squares = 0.0;

@@ -92,13 +92,28 @@ class WatchOthers : public ::testing::Test {
 };
 
 TEST_F(WatchOthers, NobodyElseCostsOneDetectorInAPeriod) {
-  fake_.see({0.4, 0.5}, 0.2, 3.0);
+  fake_.see({0.4, 0.5}, 0.25, 3.0);  // so large that the surroundings are the whole image
   params_.watch_period_s = 0.1;
   for (int k = 0; k < 30; ++k) look(k / 30.0);
   EXPECT_FALSE(state_.other.known());
   EXPECT_GE(fake_.detector->runs, 7);
   EXPECT_LE(fake_.detector->runs, 11);
   EXPECT_EQ(fake_.landmarks->runs, 30);
+}
+
+// What the fake detector sees is at the same place of any window: at 0.85 of the left one it is the
+// chosen person, of the right one somebody who is well to the right.
+TEST_F(WatchOthers, BothSidesAreLookedAtInTurns) {
+  image_ = grey_image(800, 800);
+  fake_.see({0.5, 0.5}, 0.1, 3.0);
+  ASSERT_TRUE(perceive_image(state_, image_, 0.0, fake_.network, params_).found());
+  fake_.see_nobody();
+  fake_.see({0.85, 0.5}, 0.2, 3.0);
+  look(0.2);
+  EXPECT_FALSE(state_.other.known());
+  look(0.4);
+  ASSERT_TRUE(state_.other.known());
+  EXPECT_GT(state_.other.torso_px.x() - state_.chosen.torso_px.x(), state_.chosen.size_px);
 }
 
 TEST_F(WatchOthers, WhoIsBesideIsKnownAndNotTheChosenOne) {
