@@ -1,6 +1,7 @@
 // scene.mjs [VEHICLES [SECONDS]]: frames a second of the page's scene on a made-up flight, in a
 // browser without a graphics card; draw calls, what a frame costs the page's own script and each
-// process, and how long one picture takes to draw at several ratios of pixels. JSON.
+// process, how much of the machine others took, and how long one picture takes to draw at several
+// ratios of pixels. JSON.
 import { readdirSync, readFileSync } from "node:fs";
 
 import { launch, open } from "../tests/chromium.mjs";
@@ -8,7 +9,9 @@ import { startStandIn } from "../tests/stand_in.mjs";
 
 /** Seconds of processor that each kind of the browser's processes, and this one, have had. */
 function processor() {
-  const spent = { page: 0, graphics: 0, browser: 0, made_up_flight: process.cpuUsage().user / 1e6 };
+  const spent = { page: 0, graphics: 0, browser: 0, made_up_flight: 0 };
+  const { user, system } = process.cpuUsage();
+  spent.made_up_flight = (user + system) / 1e6;
   for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
     try {
       const command = readFileSync(`/proc/${pid}/cmdline`, "utf8");
@@ -20,6 +23,13 @@ function processor() {
     } catch { /* it has ended */ }
   }
   return spent;
+}
+
+/** Seconds of processor that all have had, and those taken from the machine itself. */
+function machine() {
+  const jiffies = readFileSync("/proc/stat", "utf8").split("\n")[0].split(/\s+/).slice(1).map(Number);
+  const [user, nice, system, , , irq, softirq, stolen] = jiffies;
+  return { busy: (user + nice + system + irq + softirq) / 100, stolen: stolen / 100 };
 }
 
 /** Milliseconds of one picture until it is there, by ratio, with nothing new to show. */
@@ -51,12 +61,15 @@ await page.waitForSelector("[data-first]", { timeout: 60000 });
 const first_ms = Number(await page.getAttribute("[data-first]", "data-first"));
 await page.waitForTimeout(5000);
 const samples = [];
-const before = processor();
+const [before, all_before] = [processor(), machine()];
 for (let i = 0; i < seconds; i++) {
   await page.waitForTimeout(1000);
   samples.push(await page.evaluate(() => ({ ...document.querySelector("[data-first]").dataset })));
 }
-const after = processor();
+const [after, all_after] = [processor(), machine()];
+const sum = (spent) => Object.values(spent).reduce((all, s) => all + s, 0);
+const others = all_after.busy - all_before.busy - sum(after) + sum(before)
+  + all_after.stolen - all_before.stolen;
 const middle = (key) => {
   const sorted = samples.map((s) => Number(s[key])).sort((a, b) => a - b);
   return sorted[sorted.length >> 1];
@@ -67,8 +80,9 @@ const cpu_ms_a_frame = Object.fromEntries(Object.keys(after).map((kind) =>
   [kind, Number((1000 * (after[kind] - before[kind]) / frames).toFixed(1))]));
 console.log(JSON.stringify({ vehicles, first_picture_ms: first_ms, fps: middle("fps"),
   fps_all: samples.map((s) => Number(s.fps)), calls: middle("calls"),
-  triangles: middle("triangles"), script_ms: middle("script"), ratio: middle("ratio"),
-  cpu_ms_a_frame, raster_ms: await raster(page) }));
+  triangles: middle("triangles"), script_ms: middle("script"), busy_ms: middle("busy"),
+  ratio: middle("ratio"), cpu_ms_a_frame, cores_of_others: Number((others / seconds).toFixed(2)),
+  raster_ms: await raster(page) }));
 await browser.close();
 station.close();
 process.exit(0);

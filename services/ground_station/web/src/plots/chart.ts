@@ -31,6 +31,9 @@ const gridColor = "#26313d";
 const halfLabel_px = 22; // of a time; it must not be cut off
 const font = "11px system-ui, sans-serif";
 
+// Not asked of the document, which would have to be laid out for it.
+const widthOf = ({ bbox }: uPlot): number => bbox.width / devicePixelRatio;
+
 export class Chart {
   readonly root = document.createElement("section");
   private readonly title = document.createElement("b");
@@ -70,6 +73,7 @@ export class Chart {
   private make(frame: Frame, key: string, width: number, height: number): void {
     this.plot?.destroy();
     this.linesKey = key;
+    this.makeValues(frame);
     const { options } = this;
     this.plot = new uPlot({
       width, height,
@@ -100,7 +104,7 @@ export class Chart {
       grid: { stroke: gridColor, width: 1 }, ticks: { show: false },
       incrs: [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 3600, 86400],
       values: (u, splits) => splits.map((s) =>
-        this.last && u.valToPos(s, "x") < u.over.clientWidth - halfLabel_px ? timeOfDay(s) : "") };
+        this.last && u.valToPos(s, "x") < widthOf(u) - halfLabel_px ? timeOfDay(s) : "") };
   }
 
   private valueAxis(): uPlot.Axis {
@@ -121,19 +125,26 @@ export class Chart {
     const inside = (plot.cursor.left ?? -1) >= 0;
     const row = inside && at !== null ? at : frame.times.length - 1;
     const time_s = inside ? plot.posToVal(plot.cursor.left!, "x") : null;
-    this.values.replaceChildren();
-    if (frame.text) return this.values.append(frame.text(time_s));
-    frame.lines.forEach((line, i) => {
+    const words = frame.text ? [frame.text(time_s)] : frame.lines.map(({ name }, i) => {
       const value = (frame.values ?? frame.columns)[i]?.[row];
+      const known = value !== null && value !== undefined;
+      return `${frame.lines.length > 1 ? `${name} ` : ""}` +
+        `${known ? value.toFixed(options.digits) : "–"} ${options.unit}`.trimEnd();
+    });
+    this.values.querySelectorAll("span").forEach((span, i) => {
+      if (span.textContent !== words[i]) span.textContent = words[i] ?? "";
+    });
+  }
+
+  // What the header tells is written into these.
+  private makeValues({ lines, text }: Frame): void {
+    this.values.replaceChildren(...lines.flatMap((line) => {
       const chip = document.createElement("i");
       chip.style.background = line.color;
-      const text = document.createElement("span");
-      text.dataset["line"] = line.name;
-      const known = value !== null && value !== undefined;
-      text.textContent = `${frame.lines.length > 1 ? `${line.name} ` : ""}` +
-        `${known ? value.toFixed(options.digits) : "–"} ${options.unit}`.trimEnd();
-      this.values.append(chip, text);
-    });
+      const span = document.createElement("span");
+      span.dataset["line"] = line.name;
+      return text ? [span] : [chip, span];
+    }));
   }
 }
 

@@ -6,8 +6,9 @@ import {
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 
-import type { CameraModel, Odometry, TargetState } from "../data/messages.ts";
+import type { CameraModel, Pose } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
+import type { Target } from "./sketch.ts";
 
 const frustumReach_m = 2.2;
 const pale = "#c8d3dd";
@@ -47,8 +48,7 @@ export class VehicleBody {
     this.setCamera(undefined);
   }
 
-  place(odometry: Odometry): void {
-    const { position: p, orientation: q } = odometry.pose.pose;
+  place({ position: p, orientation: q }: Pose): void {
     this.group.position.set(p.x, p.y, p.z);
     this.group.quaternion.set(q.x, q.y, q.z, q.w);
   }
@@ -100,13 +100,11 @@ export class PersonBody {
     this.group.add(body, this.chest);
   }
 
-  place(target: TargetState): void {
-    this.group.visible = target.status !== Track.none;
-    const p = target.position_m;
-    this.group.position.set(p[0]!, p[1]!, p[2]!);
-    this.chest.visible = target.body_yaw_variance_rad2 >= 0;
-    this.chest.rotation.z = target.body_yaw_rad;
-    this.skin.opacity = target.status === Track.tracking ? 1
-      : target.status === Track.coasting ? 0.55 : 0.25;
+  place({ status, x, y, z, yaw_rad }: Target): void {
+    this.group.visible = status !== Track.none;
+    this.group.position.set(x, y, z);
+    this.chest.visible = yaw_rad !== null;
+    this.chest.rotation.z = yaw_rad ?? 0;
+    this.skin.opacity = status === Track.tracking ? 1 : status === Track.coasting ? 0.55 : 0.25;
   }
 }

@@ -1,9 +1,10 @@
 // What the scene has not been told yet of the state that the page shows.
 import type { TrailPoint } from "../store/series.ts";
 import type { Latest, State, Vehicle } from "../store/state.ts";
-import { drawnTopics, type News, type VehicleNews } from "./messages.ts";
+import type { News, VehicleNews } from "./messages.ts";
+import { drawnTopics, moreOfChosen, type Seen, sketch } from "./sketch.ts";
 
-interface Told { latest: Partial<Latest>; trail_s: number; targetTrail_s: number }
+interface Told { chosen: boolean; latest: Partial<Latest>; trail_s: number; targetTrail_s: number }
 
 interface Shown {
   readonly state: State;
@@ -18,19 +19,25 @@ export class SceneFeed {
   take({ state, vehicle: chosen, generation }: Shown): News {
     if (generation !== this.generation) this.told.clear();
     this.generation = generation;
-    const vehicles = [...state.vehicles.values()].map((vehicle) => this.newsOf(vehicle));
+    const vehicles = [...state.vehicles.values()].map((vehicle) =>
+      this.newsOf(vehicle, vehicle === chosen));
     return { generation, now_s: state.now_s, chosen: chosen?.name ?? "", vehicles };
   }
 
-  private newsOf(vehicle: Vehicle): VehicleNews {
+  private newsOf(vehicle: Vehicle, chosen: boolean): VehicleNews {
     const { name, index } = vehicle;
-    let told = this.told.get(name);
-    if (!told) this.told.set(name, told = { latest: {}, trail_s: -Infinity, targetTrail_s: -Infinity });
-    const latest: Partial<Latest> = {};
-    for (const topic of drawnTopics)
-      if (vehicle.latest[topic] !== told.latest[topic])
-        Object.assign(latest, { [topic]: vehicle.latest[topic] });
-    Object.assign(told.latest, latest);
+    const told = this.told.get(name)
+      ?? { chosen, latest: {}, trail_s: -Infinity, targetTrail_s: -Infinity };
+    this.told.set(name, told);
+    if (chosen !== told.chosen) for (const topic of moreOfChosen) delete told.latest[topic];
+    told.chosen = chosen;
+    const latest: Seen = {};
+    for (const topic of drawnTopics) {
+      const heard = vehicle.latest[topic];
+      if (!heard || heard === told.latest[topic]) continue;
+      Object.assign(told.latest, { [topic]: heard });
+      Object.assign(latest, { [topic]: sketch(topic, heard, chosen) });
+    }
     const trail = since(vehicle.trail.points, told.trail_s);
     const targetTrail = since(vehicle.targetTrail.points, told.targetTrail_s);
     told.trail_s = trail.at(-1)?.time_s ?? told.trail_s;

@@ -1,12 +1,12 @@
 // What the scene knows of the page's state: the sum of all news.
 import { Trail } from "../store/series.ts";
-import type { Latest } from "../store/state.ts";
 import type { News } from "./messages.ts";
+import type { Seen } from "./sketch.ts";
 
 export interface SeenVehicle {
   name: string;
   index: number;
-  latest: Partial<Latest>;
+  latest: Seen;
   trail: Trail;
   targetTrail: Trail;
 }

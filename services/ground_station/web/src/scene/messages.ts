@@ -1,19 +1,15 @@
 // Between the page and the scene, which runs in a worker of its own: a picture that software draws
 // would hold up the page's thread, and with it every sample.
-import type { Latest } from "../store/state.ts";
 import type { TrailPoint } from "../store/series.ts";
+import type { Seen } from "./sketch.ts";
 
 export type ViewKind = "orbit" | "follow" | "top";
-
-/** What the scene draws of a vehicle: those of its messages. */
-export const drawnTopics = ["odometry", "target/state", "target/observation", "target/intention",
-  "target/prediction", "plan/trajectory", "map/points", "map/local"] as const;
 
 /** What came of a vehicle since the last news: messages, and points of the trails. */
 export interface VehicleNews {
   name: string;
   index: number;
-  latest: Partial<Latest>;
+  latest: Seen;
   trail: TrailPoint[];
   targetTrail: TrailPoint[];
 }
@@ -49,6 +45,7 @@ export interface Counts {
   triangles: string;
   calls: string;
   script: string; // of a frame, ms
+  busy: string; // the same until it is drawn
   ratio: string;
 }
 
@@ -61,6 +58,6 @@ export type ToScene =
 
 export type FromScene =
   | { kind: "ask" } // for news
-  | { kind: "drawn"; labels: Label[]; placed: boolean }
+  | { kind: "drawing"; labels: Label[]; placed: boolean }
   | { kind: "counted"; counts: Counts }
   | { kind: "failed"; reason: string };

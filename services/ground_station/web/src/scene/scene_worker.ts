@@ -1,4 +1,5 @@
 // The scene's own thread.
+import "./plain_colors.ts";
 import type { FromScene, ToScene } from "./messages.ts";
 import { SceneView } from "./view.ts";
 

@@ -60,6 +60,8 @@ export class Ribbons {
   readonly mesh: Mesh;
   private readonly positions: BufferAttribute;
   private readonly colors: BufferAttribute;
+  private readonly index: BufferAttribute;
+  private readonly counts: number[]; // of each ribbon's points
   private readonly ends: (Point | undefined)[]; // of each ribbon, and so roughly where it is
   private readonly extent = new Extent();
 
@@ -70,13 +72,10 @@ export class Ribbons {
     this.colors = dynamic(2 * capacity * count, 4);
     geometry.setAttribute("position", this.positions);
     geometry.setAttribute("color", this.colors);
-    const index: number[] = [];
-    for (let ribbon = 0; ribbon < count; ribbon++)
-      for (let n = 0; n + 1 < capacity; n++) {
-        const i = 2 * (ribbon * capacity + n);
-        index.push(i, i + 1, i + 2, i + 1, i + 3, i + 2);
-      }
-    geometry.setIndex(index);
+    this.counts = new Array<number>(count).fill(0);
+    this.index = new BufferAttribute(new Uint16Array(6 * capacity * count), 1);
+    this.index.setUsage(DynamicDrawUsage);
+    geometry.setIndex(this.index);
     this.mesh = new Mesh(geometry, flatMaterial());
     this.bound();
   }
@@ -99,14 +98,15 @@ export class Ribbons {
       paint(this.colors, at, color(i), opacity);
       paint(this.colors, at + 1, color(i), opacity);
     }
-    this.close(first, count);
+    if (count !== this.counts[ribbon]) this.join(ribbon, count);
     this.ends[2 * ribbon] = count > 0 ? points[0] : undefined;
     this.ends[2 * ribbon + 1] = count > 0 ? points[count - 1] : undefined;
     this.bound();
+    if (count === 0) return;
     for (const attribute of [this.positions, this.colors])
       if (attribute.updateRanges.length > this.ends.length)
         renewAll(attribute, attribute.count); // it was out of sight
-      else renew(attribute, first, 2 * this.capacity);
+      else renew(attribute, first, 2 * count);
   }
 
   clear(ribbon: number): void {
@@ -122,12 +122,17 @@ export class Ribbons {
     this.mesh.visible = this.ends.some((end) => end !== undefined);
   }
 
-  // What is left over has no extent: triangles between equal points are not drawn.
-  private close(first: number, count: number): void {
-    const last = first + Math.max(0, 2 * count - 1);
-    for (let at = first + 2 * count; at < first + 2 * this.capacity; at++)
-      this.positions.setXYZ(at, this.positions.getX(last), this.positions.getY(last),
-        this.positions.getZ(last));
+  // The triangles that there are: software takes its time for empty ones too.
+  private join(ribbon: number, count: number): void {
+    this.counts[ribbon] = count;
+    let n = 0;
+    this.counts.forEach((points, of) => {
+      const first = 2 * of * this.capacity;
+      for (let i = first; i < first + 2 * points - 2; i += 2)
+        for (const corner of [i, i + 1, i + 2, i + 1, i + 3, i + 2]) this.index.setX(n++, corner);
+    });
+    if (n > 0) renewAll(this.index, n);
+    this.mesh.geometry.setDrawRange(0, n);
   }
 }
 

@@ -1,9 +1,7 @@
 // All that is drawn of one vehicle: itself, its person, what it predicts and what it plans.
 import { Color, Group } from "three";
 
-import type { PlannedTrajectory, TargetIntention, TargetPrediction } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
-import { duration_s, samplePlan } from "../store/derive.ts";
 import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
 import { blue, colorOf, green, intentionColor, orange } from "../ui/palette.ts";
@@ -11,9 +9,11 @@ import { PersonBody, VehicleBody } from "./bodies.ts";
 import { polytopeEdges } from "./corridor.ts";
 import type { SeenVehicle } from "./known.ts";
 import { type Fan, FadingLine, Fans, type Point, Ribbons, Segments } from "./shapes.ts";
-import { voxelsOfMap, voxelsOfPoints, VoxelView } from "./voxels.ts";
+import type { Path, Plan, Sketches } from "./sketch.ts";
+import { thin } from "./thin.ts";
+import { voxelsOfMap, voxelsOfPoints } from "./voxels.ts";
+import { Walls } from "./walls.ts";
 
-const planPoints = 48;
 const planColor = new Color("#f4f7fa");
 const stopColor = "#93a1af"; // where the plan only stops, and its corridor
 const tailColor = new Color(stopColor);
@@ -29,6 +29,11 @@ function colorNamed(name: string): Color {
   return color;
 }
 
+function triples(numbers: Float32Array, z?: number): Point[] {
+  return Array.from({ length: numbers.length / 3 }, (_, i): Point =>
+    [numbers[3 * i]!, numbers[3 * i + 1]!, z ?? numbers[3 * i + 2]!]);
+}
+
 export class VehicleView {
   readonly group = new Group();
   private readonly details = new Group(); // of the chosen vehicle only
@@ -41,11 +46,11 @@ export class VehicleView {
   private readonly sectors = new Fans(4);
   private readonly regions = new Fans(64);
   private readonly corridor = new Segments(1500, stopColor, 0.5);
-  private readonly voxels = new VoxelView();
+  private readonly walls = new Walls();
   private drawn = new WeakSet<object>(); // messages whose shapes are up to date
   private corridor_s = -Infinity;
   private trails = "";
-  private cut_m = Infinity;
+  private drawnMap = { of: null as object | null, cut_m: Infinity };
 
   constructor(index: number) {
     const color = colorOf(index);
@@ -53,16 +58,17 @@ export class VehicleView {
     this.trail = new FadingLine(900, color);
     this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
     this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
-      this.ribbons.mesh, this.voxels.mesh, this.details);
+      this.ribbons.mesh, this.walls.mesh, this.details);
   }
 
-  update(now_s: number, vehicle: SeenVehicle, chosen: boolean, cut_m: number): void {
+  /** All but the walls. */
+  update(now_s: number, vehicle: SeenVehicle, chosen: boolean): void {
     const { latest } = vehicle;
     this.details.visible = chosen;
     const odometry = latest["odometry"];
     this.body.group.visible = odometry !== undefined;
     if (odometry) this.body.place(odometry.message);
-    this.body.setCamera(latest["target/observation"]?.message.camera);
+    this.body.setCamera(latest["target/observation"]?.message);
     const target = latest["target/state"];
     this.person.group.visible = target !== undefined;
     if (target) this.person.place(target.message);
@@ -75,7 +81,18 @@ export class VehicleView {
       this.drawPaths(prediction.message);
     if (plan && this.shown.plan && this.isNew(plan)) this.drawPlan(plan.message);
     if (chosen) this.drawDetails(now_s, vehicle, fresh);
-    this.drawVoxels(vehicle, cut_m);
+  }
+
+  /** What takes longer than all else; whether there was anything to do. */
+  updateWalls({ latest }: SeenVehicle, cut_m: number): boolean {
+    const { "map/points": points, "map/local": map } = latest;
+    const usePoints = points && (!map || map.time_s - points.time_s < 3);
+    const heard = usePoints ? points : map;
+    const { drawnMap } = this;
+    if (!heard || (heard === drawnMap.of && cut_m === drawnMap.cut_m)) return false;
+    this.drawnMap = { of: heard, cut_m };
+    this.walls.set(usePoints ? voxelsOfPoints(points.message) : voxelsOfMap(map!.message), cut_m);
+    return true;
   }
 
   private isNew(heard: object): boolean {
@@ -95,11 +112,11 @@ export class VehicleView {
     const key = `${vehicle.trail.version} ${vehicle.targetTrail.version}`;
     if (key === this.trails) return;
     this.trails = key;
-    this.trail.set(vehicle.trail.points);
-    this.targetTrail.set(vehicle.targetTrail.points);
+    this.trail.set(thin(vehicle.trail.points));
+    this.targetTrail.set(thin(vehicle.targetTrail.points));
   }
 
-  private drawPaths({ paths }: TargetPrediction): void {
+  private drawPaths(paths: readonly Path[]): void {
     for (let i = 0; i < maxPaths; i++) {
       const path = paths[i];
       if (!path) {
@@ -108,18 +125,15 @@ export class VehicleView {
       }
       const p = Math.min(1, Math.max(0, path.probability));
       const color = colorNamed(intentionColor(path.name, path.intention));
-      const points = path.states.map(({ position_m: at }): Point =>
-        [at[0]!, at[1]!, 0.06 + 0.02 * i]);
-      this.ribbons.set(i, points, 0.05 + 0.22 * p, () => color,
+      this.ribbons.set(i, triples(path.points, 0.06 + 0.02 * i), 0.05 + 0.22 * p, () => color,
         (share) => (0.15 + 0.85 * p) * (1 - 0.4 * share));
     }
   }
 
-  private drawPlan(plan: PlannedTrajectory): void {
-    const points = samplePlan(plan, planPoints);
-    const tail = duration_s(plan) > 0 ? plan.tail_start_s / duration_s(plan) : 1;
-    const isTail = (i: number): boolean => i / planPoints > tail;
-    this.ribbons.set(maxPaths, points, 0.09, (i) => (isTail(i) ? tailColor : planColor),
+  private drawPlan({ points, tail }: Plan): void {
+    const path = triples(points);
+    const isTail = (i: number): boolean => i / (path.length - 1) > tail;
+    this.ribbons.set(maxPaths, path, 0.09, (i) => (isTail(i) ? tailColor : planColor),
       (share) => (share > tail ? 0.45 : 0.95));
   }
 
@@ -133,16 +147,16 @@ export class VehicleView {
     if (intention && this.isNew(intention)) this.drawSectors(intention.message);
     if (!plan || Math.abs(now_s - this.corridor_s) < corridorPeriod_s) return;
     this.corridor_s = now_s;
-    this.regions.set(plan.message.visible_regions.map((region): Fan => ({
+    this.regions.set(plan.message.regions.map((region): Fan => ({
       center: [region.target_position_m[0]!, region.target_position_m[1]!, 0.03],
       radius_m: reach_m, bisector_rad: region.bisector_yaw_rad, half_rad: region.half_angle_rad,
-      color: blue, alpha: 0.9 / Math.max(4, plan.message.visible_regions.length),
+      color: blue, alpha: 0.9 / Math.max(4, plan.message.regions.length),
     })));
     this.corridor.set(plan.message.corridor.flatMap(({ faces }) =>
       polytopeEdges(faces.slice(0, 40))));
   }
 
-  private drawSectors({ region_now, region_ahead }: TargetIntention): void {
+  private drawSectors({ region_now, region_ahead }: Sketches["target/intention"]): void {
     this.sectors.set([region_now, region_ahead].flatMap((region, i): Fan[] => {
       const center: Point = [region.center_m[0]!, region.center_m[1]!, 0.045];
       const common = { center, radius_m: region.radius_m, alpha: i === 0 ? 0.5 : 0.25 };
@@ -153,14 +167,5 @@ export class VehicleView {
           half_rad: region.right_half_angle_rad, color: green },
       ];
     }));
-  }
-
-  private drawVoxels(vehicle: SeenVehicle, cut_m: number): void {
-    const { "map/points": points, "map/local": map } = vehicle.latest;
-    const usePoints = points && (!map || map.time_s - points.time_s < 3);
-    const heard = usePoints ? points : map;
-    if (!heard || (!this.isNew(heard) && cut_m === this.cut_m)) return;
-    this.cut_m = cut_m;
-    this.voxels.set(usePoints ? voxelsOfPoints(points.message) : voxelsOfMap(map!.message), cut_m);
   }
 }

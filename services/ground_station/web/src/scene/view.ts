@@ -1,14 +1,17 @@
 // The 3-D scene: world ENU, z up. Drawn only when something changed.
 import {
-  AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+  AmbientLight, Color, DirectionalLight, LinearSRGBColorSpace, PerspectiveCamera, Scene, Vector3,
+  WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
-import { groundGrid } from "./grid.ts";
+import { Track } from "../data/words.ts";
+import { groundGrid, gridStep_m } from "./grid.ts";
 import { Known, type SeenVehicle } from "./known.ts";
 import type { FromScene, Label, ToScene, ViewKind } from "./messages.ts";
 import { Pace } from "./pace.ts";
 import { Surface } from "./surface.ts";
+import { Tally } from "./tally.ts";
 import { VehicleView } from "./vehicle_view.ts";
 
 const cutHeight_m = 1.1;
@@ -45,14 +48,12 @@ export class SceneView {
   private stirred = true; // the camera or the canvas
   private updated = true; // what is drawn is what is known
   private heard_ms = 0; // the last news
-  private frames = 0;
-  private wantedAll = true; // none of the last second's frames was left out as nothing had changed
-  private script_ms = 0; // of these frames
-  private counted_ms = performance.now();
+  private readonly tally = new Tally();
 
   constructor(canvas: OffscreenCanvas, ratio: number,
               private readonly tell: (message: FromScene) => void) {
     this.renderer = new WebGLRenderer({ canvas, antialias: !slow && ratio < 2 });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace; // see plain_colors.ts
     this.pace = new Pace(slow ? 1 : Math.min(ratio, 2));
     this.renderer.setPixelRatio(this.pace.ratio);
     this.camera.up.set(0, 0, 1);
@@ -60,9 +61,9 @@ export class SceneView {
     this.controls.maxDistance = 120;
     this.controls.addEventListener("change", () => (this.stirred = true));
     this.scene.background = new Color("#0b1015");
-    const sun = new DirectionalLight("#ffffff", 2);
+    const sun = new DirectionalLight("#ffffff", 1.2);
     sun.position.set(4, -6, 10);
-    this.scene.add(this.grid, new AmbientLight("#ffffff", 1.2), sun);
+    this.scene.add(this.grid, new AmbientLight("#ffffff", 2), sun);
     this.loop();
   }
 
@@ -99,17 +100,17 @@ export class SceneView {
     if (this.surface.clientWidth === 0 || !this.pace.isDue(now_ms)) return;
     if (!this.updated) this.update();
     this.moveCamera();
-    if (this.stirred) this.draw();
-    else if (now_ms - this.heard_ms > idle_ms) this.wantedAll = false;
-    this.script_ms += performance.now() - now_ms;
+    if (this.stirred) this.draw(now_ms);
+    else if (now_ms - this.heard_ms > idle_ms) this.tally.wantedAll = false;
     this.count(now_ms);
   };
 
-  private draw(): void {
+  private draw(begin_ms: number): void {
     this.stirred = false;
-    this.frames++;
+    this.camera.updateMatrixWorld();
+    this.tell({ kind: "drawing", labels: this.labels(), placed: this.placed }); // shown with it
     this.renderer.render(this.scene, this.camera);
-    this.tell({ kind: "drawn", labels: this.labels(), placed: this.placed });
+    this.tally.frame(begin_ms);
   }
 
   private fit(width: number, height: number): void {
@@ -134,8 +135,20 @@ export class SceneView {
         this.vehicles.set(vehicle.name, view);
         this.scene.add(view.group);
       }
-      view.update(known.now_s, vehicle, vehicle.name === known.chosen,
-        this.cut ? cutHeight_m : Infinity);
+      view.update(known.now_s, vehicle, vehicle.name === known.chosen);
+    }
+    this.updateWalls();
+  }
+
+  // Of one vehicle a picture: those of all at once would hold it up.
+  private updateWalls(): void {
+    for (const [name, view] of this.vehicles) {
+      const vehicle = this.known.vehicles.get(name);
+      if (!vehicle || !view.updateWalls(vehicle, this.cut ? cutHeight_m : Infinity)) continue;
+      this.vehicles.delete(name);
+      this.vehicles.set(name, view); // the others come first
+      this.updated = false; // there may be more
+      return;
     }
   }
 
@@ -152,12 +165,12 @@ export class SceneView {
   }
 
   private follow(vehicle: SeenVehicle): void {
-    const p = vehicle.latest["odometry"]?.message.pose.pose.position;
+    const p = vehicle.latest["odometry"]?.message.position;
     if (!p) return;
     const target = vehicle.latest["target/state"]?.message;
-    const q = target && target.status !== 0 ? target.position_m : [p.x, p.y, p.z];
-    const focus = new Vector3((p.x + q[0]!) / 2, (p.y + q[1]!) / 2, 1);
-    if (!this.placed) this.place(focus, new Vector3(p.x - q[0]!, p.y - q[1]!, 0));
+    const q = target && target.status !== Track.none ? target : p;
+    const focus = new Vector3((p.x + q.x) / 2, (p.y + q.y) / 2, 1);
+    if (!this.placed) this.place(focus, new Vector3(p.x - q.x, p.y - q.y, 0));
     const move = focus.clone().sub(this.focus);
     if (this.kind !== "orbit") {
       if (move.length() < 5) move.multiplyScalar(0.12); // smoothly, but not across the world
@@ -165,7 +178,8 @@ export class SceneView {
       this.controls.target.add(move);
       this.focus.add(move);
     }
-    this.grid.position.set(Math.round(focus.x), Math.round(focus.y), 0);
+    const onGrid = (x: number): number => gridStep_m * Math.round(x / gridStep_m);
+    this.grid.position.set(onGrid(focus.x), onGrid(focus.y), 0);
   }
 
   private place(focus: Vector3, behind: Vector3): void {
@@ -182,7 +196,7 @@ export class SceneView {
   private labels(): Label[] {
     const { clientWidth: width, clientHeight: height } = this.surface;
     return [...this.known.vehicles.values()].flatMap(({ name, latest }) => {
-      const p = latest["odometry"]?.message.pose.pose.position;
+      const p = latest["odometry"]?.message.position;
       if (!p) return [];
       const at = this.corner.set(p.x, p.y, p.z + 0.4).project(this.camera);
       const hidden = at.z > 1 || Math.abs(at.x) > 1.1 || Math.abs(at.y) > 1.1;
@@ -192,20 +206,17 @@ export class SceneView {
   }
 
   private count(now_ms: number): void {
-    const elapsed_ms = now_ms - this.counted_ms;
-    if (elapsed_ms < 1000) return;
-    const fps = (1000 * this.frames) / elapsed_ms;
+    const second = this.tally.take(now_ms);
+    if (!second) return;
+    const { fps, script_ms, busy_ms } = second;
     const { triangles, calls } = this.renderer.info.render;
     this.tell({ kind: "counted", counts: { fps: fps.toFixed(1), triangles: `${triangles}`,
-      calls: `${calls}`, script: (this.script_ms / Math.max(1, this.frames)).toFixed(2),
+      calls: `${calls}`, script: script_ms.toFixed(2), busy: busy_ms.toFixed(1),
       ratio: this.renderer.getPixelRatio().toFixed(2) } });
-    if (this.wantedAll) this.pace.adapt(fps);
-    if (this.pace.ratio !== this.renderer.getPixelRatio()) {
-      this.renderer.setPixelRatio(this.pace.ratio);
-      this.stirred = true;
-    }
-    this.wantedAll = true;
-    this.script_ms = this.frames = 0;
-    this.counted_ms = now_ms;
+    if (this.tally.wantedAll) this.pace.adapt(fps, busy_ms);
+    this.tally.wantedAll = true;
+    if (this.pace.ratio === this.renderer.getPixelRatio()) return;
+    this.renderer.setPixelRatio(this.pace.ratio);
+    this.stirred = true;
   }
 }

@@ -1,19 +1,11 @@
-// Occupied cells: read from either map topic, drawn as instanced boxes.
-import {
-  Box3, BoxGeometry, BufferAttribute, Color, DynamicDrawUsage, InstancedMesh, MeshBasicMaterial,
-  Object3D, Sphere, Vector3,
-} from "three";
-
+// Occupied cells: read from either map topic, and joined to few boxes.
 import type { LocalMap, PointCloud2 } from "../data/messages.ts";
-import { renewAll } from "./shapes.ts";
 
 export interface Voxels { resolution_m: number; centers: Float32Array } // x, y, z triples
 
 const occupied = 1;
-const ground_m = 0.3; // what is no higher is the ground, and would hide what is drawn on it
-const maxBlocks = 12000;
 
-export function voxelsOfMap(map: LocalMap): Voxels {
+export function voxelsOfMap(map: Omit<LocalMap, "header">): Voxels {
   const { resolution_m, origin_m, size_x, size_y, size_z, cells } = map;
   const centers: number[] = [];
   let n = 0;
@@ -27,7 +19,7 @@ export function voxelsOfMap(map: LocalMap): Voxels {
 }
 
 /** The resolution is the smallest step along x from one point to the next. */
-export function voxelsOfPoints(cloud: PointCloud2): Voxels {
+export function voxelsOfPoints(cloud: Omit<PointCloud2, "header">): Voxels {
   const view = new DataView(cloud.data.buffer, cloud.data.byteOffset, cloud.data.byteLength);
   const count = Math.min(cloud.width * cloud.height,
     Math.floor(cloud.data.byteLength / Math.max(1, cloud.point_step)));
@@ -102,52 +94,4 @@ function merge(boxes: Block[], kind: (b: Block) => string, begin: "x0" | "y0",
     merged.push(own);
   }
   return merged;
-}
-
-// Faces are lit by their direction and height alone: as cheap as can be.
-function litBox(): BoxGeometry {
-  const box = new BoxGeometry(1, 1, 1);
-  const light = [0.8, 0.7, 0.62, 0.9, 1, 0.4]; // +x −x +y −y +z −z
-  const heights = box.getAttribute("position");
-  const colors = new Float32Array(24 * 3);
-  for (let vertex = 0; vertex < 24; vertex++) {
-    const shade = heights.getZ(vertex) < 0 ? 0.55 : 1;
-    colors.fill(light[vertex >> 2]! * shade, 3 * vertex, 3 * vertex + 3);
-  }
-  box.setAttribute("color", new BufferAttribute(colors, 3));
-  return box;
-}
-
-export class VoxelView {
-  readonly mesh = new InstancedMesh(litBox(), new MeshBasicMaterial({ vertexColors: true }),
-    maxBlocks);
-
-  constructor() {
-    this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    this.mesh.setColorAt(0, new Color(1, 1, 1));
-    this.mesh.boundingSphere = new Sphere(new Vector3(), -1);
-    this.mesh.count = 0;
-  }
-
-  /** What stands higher than cut_m is cut off there, so that one looks into rooms and streets. */
-  set(voxels: Voxels, cut_m: number): void {
-    const found = blocks(voxels, ground_m, cut_m).slice(0, maxBlocks);
-    const place = new Object3D();
-    const color = new Color();
-    const extent = new Box3();
-    const corner = new Vector3();
-    found.forEach(({ x0, x1, y0, y1, z0, z1 }, n) => {
-      place.position.set((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
-      place.scale.set(x1 - x0, y1 - y0, z1 - z0);
-      place.updateMatrix();
-      extent.expandByPoint(corner.set(x0, y0, z0)).expandByPoint(corner.set(x1, y1, z1));
-      this.mesh.setMatrixAt(n, place.matrix);
-      const height = Math.min(1, Math.max(0, z1 / 4)); // cool and dark below, pale above
-      this.mesh.setColorAt(n, color.setHSL(0.58, 0.22, 0.24 + 0.3 * height));
-    });
-    this.mesh.count = found.length;
-    extent.getBoundingSphere(this.mesh.boundingSphere!);
-    renewAll(this.mesh.instanceMatrix, found.length);
-    renewAll(this.mesh.instanceColor!, found.length);
-  }
 }

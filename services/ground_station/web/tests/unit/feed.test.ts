@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { SceneFeed } from "../../src/scene/feed.ts";
 import { Known } from "../../src/scene/known.ts";
-import { drawnTopics } from "../../src/scene/messages.ts";
+import { drawnTopics, sketch } from "../../src/scene/sketch.ts";
 import { makeState, type State } from "../../src/store/state.ts";
 import { fold, odometry, safety, sample, target } from "./make.ts";
 
@@ -32,7 +32,10 @@ test("the scene comes to know what the page knows, however seldom it asks", () =
   assert.equal(known.now_s, state.now_s);
   for (const [name, { latest, trail, targetTrail }] of state.vehicles) {
     const seen = known.vehicles.get(name)!;
-    for (const topic of drawnTopics) assert.deepEqual(seen.latest[topic], latest[topic]);
+    for (const topic of drawnTopics) {
+      const heard = latest[topic];
+      assert.deepEqual(seen.latest[topic], heard && sketch(topic, heard, name === "a"));
+    }
     assert.deepEqual(seen.trail.points, trail.points);
     assert.deepEqual(seen.targetTrail.points, targetTrail.points);
   }

@@ -26,12 +26,33 @@ test("a page that stood still does not make up for it", () => {
   assert.ok(pace.isDue(60033) && !pace.isDue(60040));
 });
 
-test("coarser where frames are missing, finer again where all is well, down to a half", () => {
-  const pace = new Pace(2);
-  for (let s = 0; s < 20; s++) pace.adapt(15);
+test("coarser where drawing takes too long, at once as far as it takes, down to a half", () => {
+  const pace = new Pace(1);
+  const busy_ms = (): number => 4 + 36 * pace.ratio ** 2; // 40 at first
+  for (let s = 0; s < 6; s++) pace.adapt(busy_ms() < 22 ? 30 : 20, busy_ms());
+  assert.ok(pace.ratio > 0.5 && busy_ms() < 22, `${pace.ratio}`);
+  for (let s = 0; s < 20; s++) pace.adapt(15, 40);
   assert.equal(pace.ratio, 0.5);
-  for (let s = 0; s < 100; s++) pace.adapt(30);
+});
+
+test("coarser before frames are missing, and no finer than there is time for", () => {
+  const pace = new Pace(1);
+  const busy_ms = (): number => 4 + 30 * pace.ratio ** 2;
+  for (let s = 0; s < 100; s++) pace.adapt(30, busy_ms());
+  assert.ok(pace.ratio < 0.9 && pace.ratio > 0.6 && busy_ms() < 24, `${pace.ratio}`);
+});
+
+test("fine again where all is well", () => {
+  const pace = new Pace(2);
+  for (let s = 0; s < 20; s++) pace.adapt(15, 40);
+  for (let s = 0; s < 100; s++) pace.adapt(30, 5);
   assert.equal(pace.ratio, 2);
+});
+
+test("a picture that costs little stays fine, whatever holds the page up", () => {
+  const pace = new Pace(1);
+  for (let s = 0; s < 20; s++) pace.adapt(22, 5);
+  assert.equal(pace.ratio, 1);
 });
 
 test("what is too fine is tried less and less often", () => {
@@ -39,17 +60,18 @@ test("what is too fine is tried less and less often", () => {
   let changes = 0;
   let before = pace.ratio;
   for (let s = 0; s < 300; s++) {
-    pace.adapt(pace.ratio > 0.9 ? 15 : 30);
+    if (pace.ratio > 0.9) pace.adapt(15, 30);
+    else pace.adapt(30, 5);
     if (pace.ratio !== before) changes++;
     before = pace.ratio;
   }
-  assert.ok(changes < 20, `${changes}`);
+  assert.ok(changes < 25, `${changes}`);
 });
 
 test("where even coarse pictures are too much, few; and all again when the machine is free", () => {
   const pace = new Pace(1);
-  for (let s = 0; s < 10; s++) pace.adapt(5);
+  for (let s = 0; s < 10; s++) pace.adapt(5, 100);
   assert.ok(drawn(pace, 60, 10) < 13);
-  for (let s = 0; s < 10; s++) pace.adapt(12);
+  for (let s = 0; s < 10; s++) pace.adapt(12, 10);
   assert.ok(drawn(pace, 60, 10) > 29);
 });

@@ -1,0 +1,79 @@
+// Of each message what the scene draws, in as few objects as can be: each of them, and above all each
+// small array of numbers, costs when it is handed to another thread.
+import type {
+  CameraModel, LocalMap, PlannedTrajectory, PointCloud2, Pose, TargetIntention, TargetPrediction,
+  Vec3,
+} from "../data/messages.ts";
+import { duration_s, samplePlan } from "../store/derive.ts";
+import type { Heard, Latest } from "../store/state.ts";
+
+const planPoints = 48;
+
+export interface Path { name: string; intention: number; probability: number; points: Float32Array }
+export interface Plan {
+  points: Float32Array;
+  tail: number; // from which share on it only stops
+  regions: PlannedTrajectory["visible_regions"];
+  corridor: PlannedTrajectory["corridor"];
+}
+export interface Target { status: number; x: number; y: number; z: number; yaw_rad: number | null }
+
+/** Points are x, y, z triples. */
+export interface Sketches {
+  "odometry": Pose;
+  "target/state": Target;
+  "target/observation": CameraModel;
+  "target/intention": Pick<TargetIntention, "region_now" | "region_ahead">;
+  "target/prediction": Path[];
+  "plan/trajectory": Plan;
+  "map/points": Omit<PointCloud2, "header">;
+  "map/local": Omit<LocalMap, "header">;
+}
+export type Drawn = keyof Sketches;
+export type Seen = { [T in Drawn]?: Heard<Sketches[T]> };
+
+/** Of a vehicle that is not chosen, what of these is drawn for it is less. */
+export const moreOfChosen: readonly Drawn[] = ["target/intention", "plan/trajectory"];
+
+type Maker<T extends Drawn> = (message: Latest[T]["message"], chosen: boolean) => Sketches[T];
+
+function pathsOf({ paths }: TargetPrediction): Path[] {
+  return paths.map(({ name, intention, probability, states }) =>
+    ({ name, intention, probability, points: flat(states.map((s) => s.position_m)) }));
+}
+
+function planOf(plan: PlannedTrajectory, chosen: boolean): Plan {
+  const total_s = duration_s(plan);
+  return { points: flat(samplePlan(plan, planPoints)),
+    tail: total_s > 0 ? plan.tail_start_s / total_s : 1,
+    regions: chosen ? plan.visible_regions : [], corridor: chosen ? plan.corridor : [] };
+}
+
+function flat(points: readonly Vec3[]): Float32Array {
+  const numbers = new Float32Array(3 * points.length);
+  points.forEach((point, i) => {
+    for (let axis = 0; axis < 3; axis++) numbers[3 * i + axis] = point[axis]!;
+  });
+  return numbers;
+}
+
+const makers: { [T in Drawn]: Maker<T> } = {
+  "odometry": ({ pose }) => pose.pose,
+  "target/state": ({ status, position_m: p, body_yaw_rad, body_yaw_variance_rad2 }) =>
+    ({ status, x: p[0]!, y: p[1]!, z: p[2]!,
+      yaw_rad: body_yaw_variance_rad2 >= 0 ? body_yaw_rad : null }),
+  "target/observation": ({ camera }) => camera,
+  "target/intention": ({ region_now, region_ahead }) => ({ region_now, region_ahead }),
+  "target/prediction": pathsOf,
+  "plan/trajectory": planOf,
+  "map/points": ({ height, width, fields, point_step, data }) =>
+    ({ height, width, fields, point_step, data }),
+  "map/local": ({ resolution_m, origin_m, size_x, size_y, size_z, cells }) =>
+    ({ resolution_m, origin_m, size_x, size_y, size_z, cells }),
+};
+export const drawnTopics = Object.keys(makers) as Drawn[];
+
+export function sketch<T extends Drawn>(topic: T, heard: Latest[T],
+                                        chosen: boolean): Heard<Sketches[T]> {
+  return { time_s: heard.time_s, message: makers[topic](heard.message, chosen) };
+}
