@@ -1,4 +1,5 @@
-// Measures prediction on held-out walks, simulated and recorded.
+// Measures prediction on held-out walks, simulated and recorded; or, to tune by, on such walks as
+// the intentions were fitted on.
 // Usage: predict_bench [--tracks FILE] [--json FILE]
 #include <chrono>
 #include <cstdio>
@@ -157,22 +158,23 @@ Json report(const char* name, Score& score) {
   return json;
 }
 
-int run(const std::string& tracks, const std::string& json_path) {
+int run(const std::string& tracks, const std::string& json_path, bool training) {
   Json out;
   Score passages, open_worlds, recorded, with_body;
-  for (const SimulatedWalk& walk : held_out_walks())
+  std::printf("%s\n", training ? "Training walks" : "Held-out walks");
+  for (const SimulatedWalk& walk : training ? fitting_walks() : held_out_walks())
     run_episode(simulate_walk(walk), walk.in_passages ? passages : open_worlds);
-  out["passages"] = report("Simulated passages, held-out", passages);
-  out["open_worlds"] = report("Simulated open worlds, held-out", open_worlds);
+  out["passages"] = report("Simulated passages", passages);
+  out["open_worlds"] = report("Simulated open worlds", open_worlds);
   for (const RecordedWalk& walk : recorded_walks(tracks, 3))
-    if (is_held_out(walk)) {
+    if (is_held_out(walk) != training) {
       run_episode(without_map(without_body(walk.episode)), recorded);
       run_episode(walk.episode, with_body);
     }
   if (recorded.times_us.empty())
     std::printf("\nno recorded tracks at '%s': skipped\n", tracks.c_str());
   else {
-    out["recorded"] = report("Recorded, held-out pedestrians: the track alone", recorded);
+    out["recorded"] = report("Recorded pedestrians: the track alone", recorded);
     out["recorded_with_body"] = report("The same, free ground and a chest that leads", with_body);
   }
   if (json_path.empty()) return 0;
@@ -186,15 +188,20 @@ int run(const std::string& tracks, const std::string& json_path) {
 
 int main(int argc, char** argv) {
   std::string tracks = "../shared/data/ucy_zara01_obsmat.txt", json;
+  bool training = false;
   for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--training") == 0) {
+      training = true;
+      continue;
+    }
     std::string* value = std::strcmp(argv[i], "--tracks") == 0 ? &tracks
                          : std::strcmp(argv[i], "--json") == 0 ? &json
                                                                : nullptr;
     if (value == nullptr || i + 1 == argc) {
-      std::cerr << "usage: predict_bench [--tracks FILE] [--json FILE]\n";
+      std::cerr << "usage: predict_bench [--tracks FILE] [--json FILE] [--training]\n";
       return 2;
     }
     *value = argv[++i];
   }
-  return foretrack::bench::run(tracks, json);
+  return foretrack::bench::run(tracks, json, training);
 }

@@ -51,6 +51,10 @@ class Replan {
   // The paper's §V. kOk: next() passed the check.
   PlanReason follow() {
     if (const PlanReason reason = believe(); reason != PlanReason::kOk) return reason;
+    if (lost()) {  // the person whom it does not see may be near
+      if (too_fast()) return brake();
+      search_slowly();
+    }
     align(s_.belief, start_.time_s, params_.horizon, s_.expected);
     const Vec3& z_1 = s_.expected.paths[0].positions_enu_m.front();
     const FlightSurface surface =
@@ -132,6 +136,14 @@ class Replan {
     const Vec3& last = s_.belief.paths[0].states.back().position_enu_m;
     const double bearing_rad = yaw_of(Vec2((last - in_.vehicle.position_enu_m).head<2>()));
     s_.search_turn = wrap_angle(bearing_rad - in_.vehicle.yaw_rad()) >= 0.0 ? 1.0 : -1.0;
+  }
+  void search_slowly() {
+    double& most_m_s = params_.limits.speed_max_m_s;
+    most_m_s = std::min(most_m_s, params_.view.search_speed_m_s);
+  }
+  bool too_fast() const {
+    const double most_m_s = (1.0 + params_.check.limit_tolerance) * params_.view.search_speed_m_s;
+    return start_.state.velocity.norm() > most_m_s;
   }
   bool lost() const { return s_.lost_since_s >= 0.0; }
   bool searching() const { return in_.now_s - s_.lost_since_s < params_.horizon.search_s; }
@@ -251,6 +263,15 @@ class Replan {
     return params_.check.vehicle_radius_m - 0.5 * in_.map->resolution_m;
   }
 
+  PlanReason brake() {
+    make_stop(start_, params_, s_.aim, next().trajectory);
+    s_.ahead.views[0].clear();
+    resize_polytopes(s_.corridor, s_.problem.corridor, 0);
+    const PlanReason reason = check(next().trajectory);
+    clock_.lap(PlanStage::kCheck);
+    return reason;
+  }
+
   const PlanResult& fall_back(PlanReason reason) {
     PlannedTrajectory& t = flown().trajectory;
     if (start_.on_flown &&
@@ -263,10 +284,7 @@ class Replan {
       count_work(flown().diagnostics);
       return flown();
     }
-    make_stop(start_, params_, s_.aim, next().trajectory);
-    check(next().trajectory);
-    clock_.lap(PlanStage::kCheck);
-    s_.ahead.views[0].clear();
+    brake();
     const PlanResult& result = publish();
     flown().trajectory.status = PlanStatus::kHold;
     flown().trajectory.reason = reason;
@@ -275,7 +293,7 @@ class Replan {
 
   PlanningState& s_;
   const PlanInput& in_;
-  const PlanningParams& params_;
+  PlanningParams params_;
   StageClock clock_;
   PlanStart start_;
 };

@@ -79,6 +79,8 @@ ParamRows rows(ViewParams& p) {
        "a search looks for so long where the target was lost"},
       {"search_rate_rad_s", &p.search_rate_rad_s, "rad/s", 0.1, 5.0,
        "then turns the camera round at this rate"},
+      {"search_speed_m_s", &p.search_speed_m_s, "m/s", 0.1, 20.0,
+       "the vehicle searches no faster, since the person may be near"},
       {"gimbal", &p.gimbal, "", 0, 0, "plan the pitch of a gimbal as well"},
       {"gimbal_rate_max_rad_s", &p.gimbal_rate_max_rad_s, "rad/s", 0.1, 10.0,
        "greatest pitch rate of the gimbal"},

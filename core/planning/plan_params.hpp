@@ -64,6 +64,7 @@ struct ViewParams {
   double yaw_effort = 0.002;       // weight of (rad/s²)² against rad² of bearing error
   double search_look_s = 1.0;      // where a target was lost, the camera looks there for so long
   double search_rate_rad_s = 1.2;  // then turns round
+  double search_speed_m_s = 1.0;   // greatest speed of the vehicle in a search
   bool gimbal = false;             // plan gimbal_pitch as well
   double gimbal_rate_max_rad_s = 2.0;
   double gimbal_acceleration_max_rad_s2 = 10.0;

@@ -69,6 +69,8 @@ ParamRows rows(PredictionParams& p) {
        "part of the speed that a path begins with where braking would end in a stop"},
       {"shoulder_lead_s", &p.shoulder_lead_s, "s", 0.0, 2.0,
        "the chest shows the course of so much later; 0: it says nothing of the speed"},
+      {"chest_share", &p.chest_share, "", 0.0, 1.0,
+       "who goes on will soon have turned by this part of the angle from course to chest"},
       {"turn_acceleration_m_s2", &p.turn_acceleration_m_s2, "m/s^2", 0.1, 20.0,
        "greatest acceleration of a target that turns"},
       {"max_expansions", &p.max_expansions, "", 1, 100000, "bound of the work per intention"},

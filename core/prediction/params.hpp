@@ -50,6 +50,7 @@ struct PredictionParams {
   double acceleration_goes_on_s = 0.12;
   double braking_keeps = 0.3;
   double shoulder_lead_s = 0.3;
+  double chest_share = 0.5;
   double turn_acceleration_m_s2 = 3.0;
   // Search
   int max_expansions = 150;

@@ -95,15 +95,22 @@ PlanarState slowed_to_turn(PlanarState now, double body_turn_rad, const Predicti
   return now;
 }
 
-// How a path begins. Smoothing would lag where the target does not just go on.
+// Who goes on will walk where the chest points, since it turns ahead of the path; only a share of
+// it counts, because a chest is noisy and carried at an angle. One that points backwards is of
+// somebody who walks backwards.
+PlanarState bent_to_chest(PlanarState now, double body_turn_rad, const PredictionParams& params) {
+  const double bend_rad = params.chest_share * std::asin(std::sin(body_turn_rad));
+  now.velocity_m_s = Eigen::Rotation2Dd(bend_rad) * now.velocity_m_s;
+  return now;
+}
+
+// How a path begins. Smoothing would lag where the target does not just go on; where it does,
+// acceleration is noise.
 PlanarState start_of(Intention intention, const MotionCues& motion,
                      const PredictionParams& params) {
-  if (intention == Intention::kForward) {
-    // In a steady walk acceleration is noise; without the chest nothing tells them apart.
-    const double trusted =
-        motion.body_known ? std::clamp((motion.manoeuvre - 0.3) / 0.3, 0.0, 1.0) : 0.0;
-    return soon(motion.state, trusted * motion.acceleration_m_s2, params);
-  }
+  if (intention == Intention::kForward)
+    return params.intention_paths ? bent_to_chest(motion.state, motion.body_turn_rad, params)
+                                  : motion.state;
   const PlanarState start = soon(motion.measured, motion.acceleration_m_s2, params);
   if (!is_turn(intention)) return start;
   const double side = intention == Intention::kTurnLeft ? 1.0 : -1.0;

@@ -277,6 +277,30 @@ TEST_F(Plan, SearchesWhereALostTargetWentAndThenHolds) {
   EXPECT_EQ(last, PlanStatus::kHold);
 }
 
+// The person may have stopped in its way.
+TEST_F(Plan, SlowsDownForASearchAndStaysSlow) {
+  auto vehicle = hovering({-2.0, 0.0, 1.5}, 0.0, 1.0);
+  TargetState target = target_at({0, 0, 1}, {2.5, 0, 0}, 1.0);
+  double now_s = 1.0, fastest_m_s = 0.0;
+  for (; now_s < 3.0; now_s += 0.1) {
+    target.stamp_s = now_s;
+    target.position_enu_m.x() = 2.5 * (now_s - 1.0);
+    vehicle = testing::state_on(replan(input_of(open_, vehicle, target)), now_s + 0.1);
+  }
+  ASSERT_GT(vehicle.velocity_enu_m_s.norm(), 2.0);
+  target.status = TrackStatus::kLost;
+  for (const double lost_s = now_s; now_s < lost_s + 6.0; now_s += 0.1) {
+    PlanInput input = input_of(open_, vehicle, target);
+    input.now_s = now_s;
+    EXPECT_EQ(replan(input).status, PlanStatus::kSearch);
+    const auto& t = state_.results[state_.flown].trajectory;
+    vehicle = testing::state_on(t, now_s + 0.1);
+    if (now_s > lost_s + 1.5) fastest_m_s = std::max(fastest_m_s, vehicle.velocity_enu_m_s.norm());
+  }
+  EXPECT_LT(fastest_m_s, 1.1 * params_.view.search_speed_m_s);
+  EXPECT_GT(fastest_m_s, 0.5 * params_.view.search_speed_m_s);
+}
+
 TEST_F(Plan, KeepsFlyingTheLastTrajectoryWhenItsInputsAreStaleOrBroken) {
   const auto vehicle = hovering({-5.0, 0.0, 1.5}, 0.0, 1.0);
   const auto target = target_at({0, 0, 1}, {0, 0, 0}, 1.0);

@@ -48,13 +48,14 @@ TEST(Predict, TurnsAroundTheCornerBeforeTheTargetHasTurned) {
   EXPECT_EQ(path_of(result.prediction, Intention::kTurnRight), nullptr);  // a wall is there
 }
 
-// Before a stop or a sharp turn: the paths begin slower than the target still is.
+// Before a stop or a sharp turn: such paths begin slower than the target still is.
 TEST(Predict, ExpectsWhoBrakesToBeSoonSlower) {
   const GridMap map = open_field();
-  const auto reach_m = [&](double braking_m_s2, double goes_on_s) {
+  const auto speed_m_s = [&](double braking_m_s2, double goes_on_s) {
     PredictionState fresh;
     PredictionParams params;
     params.acceleration_goes_on_s = goes_on_s;
+    params.path_probability_min = 0.0;
     const PredictionResult* result = nullptr;
     double x_m = 0.0, speed = 2.0;
     for (int i = 0; i <= 14; ++i) {
@@ -62,12 +63,33 @@ TEST(Predict, ExpectsWhoBrakesToBeSoonSlower) {
       x_m += 0.04 * speed;
       result = &predict(fresh, walker({x_m, 0.0}, {speed, 0.0}, 0.04 * i), map, params);
     }
-    const auto& states = path_of(result->prediction, Intention::kForward)->states;
-    return states[9].position_enu_m.x() - x_m;
+    return path_of(result->prediction, Intention::kTurnLeft)->states[0].velocity_enu_m_s.norm();
   };
-  EXPECT_NEAR(reach_m(0.0, 0.2), 4.0, 0.1);
-  EXPECT_NEAR(reach_m(0.5, 0.2), reach_m(0.5, 0.0), 0.01);  // as noise of the speed would look
-  EXPECT_LT(reach_m(3.0, 0.2), reach_m(3.0, 0.0) - 0.3);
+  EXPECT_NEAR(speed_m_s(0.0, 0.2), 2.0, 1e-9);
+  EXPECT_NEAR(speed_m_s(0.5, 0.2), speed_m_s(0.5, 0.0), 0.01);  // as noise of the speed would look
+  const PredictionParams d;                                     // what may be noise does not count
+  const double noise_m_s2 = d.velocity_noise_m_s / d.acceleration_interval_s;
+  EXPECT_NEAR(speed_m_s(3.0, 0.2), speed_m_s(3.0, 0.0) - 0.2 * (3.0 - noise_m_s2), 1e-9);
+}
+
+TEST(Predict, BendsTheWayOnToWhereTheChestPoints) {
+  const GridMap map = open_field();
+  const auto course_rad = [&](double body_yaw_rad, double share) {
+    PredictionState fresh;
+    PredictionParams params;
+    params.chest_share = share;
+    params.path_probability_min = 0.0;
+    TargetState target = walker({0.0, 0.0}, {1.5, 0.0});
+    target.body_yaw_rad = body_yaw_rad;
+    const auto& result = predict(fresh, target, map, params);
+    const auto& states = path_of(result.prediction, Intention::kForward)->states;
+    EXPECT_NEAR(states[0].velocity_enu_m_s.norm(), 1.5, 1e-9);
+    return yaw_of(Vec2(states[0].velocity_enu_m_s.head<2>()));
+  };
+  EXPECT_NEAR(course_rad(0.4, 0.5), 0.2, 1e-9);
+  EXPECT_NEAR(course_rad(-0.4, 1.0), -0.4, 1e-9);
+  EXPECT_NEAR(course_rad(0.4, 0.0), 0.0, 1e-9);
+  EXPECT_NEAR(course_rad(kPi - 0.2, 0.5), 0.1, 1e-9);  // backwards
 }
 
 TEST(Predict, PutsTheTurnFirstWhenTheChestHasTurnedAtTheCorner) {
