@@ -36,7 +36,7 @@ const std::vector<Experiment>& experiments() {
        .event = EventKind::kTurn,
        .worlds = {"dense_boxes", "street_blocks"},
        .speeds_m_s = {1.0, 1.5, 2.0},
-       .runs = 15,
+       .runs = 10,
        .quick_duration_s = 30.0},
       {.name = "deceleration",
        .summary = "sudden stops from 2 m/s",
@@ -44,7 +44,7 @@ const std::vector<Experiment>& experiments() {
        .worlds = {"deceleration"},
        .speeds_m_s = {2.0},
        .duration_s = 45.0,
-       .runs = 45,
+       .runs = 40,
        .quick_runs = 3,
        .quick_duration_s = 45.0},
       {.name = "t_intersection",
@@ -69,7 +69,7 @@ const std::vector<Experiment>& experiments() {
        .worlds = {"dense_boxes", "street_blocks", "doorways"},
        .speeds_m_s = {1.5},
        .conditions = stress_conditions(),
-       .runs = 3,
+       .runs = 1,
        .quick_duration_s = 20.0}};
   return all;
 }
