@@ -22,7 +22,8 @@ ParamRows rows(PerceptionParams& p) {
       {"jump_ratio", &p.jump_ratio, "1", 0.05, 2.0,
        "a tracked torso that jumps farther in one image, in sizes of the body, is somebody else"},
       {"choice_gate_ratio", &p.choice_gate_ratio, "1", 0.05, 10.0,
-       "a lost person is found again within so many sizes of the body, more with each second"},
+       "a lost person is found again within so many sizes of the body, as many more with each "
+       "second: walking pace"},
       {"choice_memory_s", &p.choice_memory_s, "s", 0.0, 60.0,
        "a lost person is waited for by place and clothes; after this time anybody may be the "
        "person"},

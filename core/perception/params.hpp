@@ -12,7 +12,7 @@ struct PerceptionParams {
   double min_pose_score = 0.5;
   double detector_period_s = 0.025;
   double jump_ratio = 0.3;
-  double choice_gate_ratio = 0.5;
+  double choice_gate_ratio = 0.7;
   double choice_memory_s = 5.0;
   double clothes_gate = 0.4;
   double watch_period_s = 0.12;

@@ -101,6 +101,17 @@ TEST_F(PerceiveImage, SomebodyElseOutsideTheGateIsNotTaken) {
   EXPECT_EQ(look(0.5 + params_.choice_memory_s).status, PoseStatus::kDetected);
 }
 
+TEST_F(PerceiveImage, WhoWalkedOnUnseenIsFoundAgain) {
+  constexpr double kHeight_m = 1.6, kPace_m_s = 1.5, kUnseen_s = 2.5, kBody = 0.2;  // of the image
+  image_ = grey_image(800, 800);
+  fake_.see({0.15, 0.5}, 0.5 * kBody, 3.0);
+  ASSERT_TRUE(look(0.0).found());
+  state_.chosen.region.reset();
+  fake_.see_nobody();
+  fake_.see({0.15 + kPace_m_s * kUnseen_s * kBody / kHeight_m, 0.5}, 0.5 * kBody, 3.0);
+  EXPECT_EQ(look(kUnseen_s).status, PoseStatus::kDetected);
+}
+
 TEST_F(PerceiveImage, TheExpectedPlaceDecidesAndItsGateHolds) {
   fake_.see({0.2, 0.5}, 0.2, 5.0);
   fake_.see({0.8, 0.5}, 0.2, 1.0);
