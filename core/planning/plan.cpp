@@ -5,6 +5,7 @@
 
 #include "core/planning/assemble_problem.hpp"
 #include "core/planning/fall_back.hpp"
+#include "core/planning/report_plan.hpp"
 #include "core/planning/target_samples.hpp"
 
 namespace foretrack {
@@ -213,39 +214,10 @@ class Replan {
     t.stamp_s = lost() ? s_.belief.stamp_s : in_.target.stamp_s;
     t.status = lost() ? PlanStatus::kSearch : PlanStatus::kFresh;
     t.reason = lost() ? PlanReason::kTargetLost : next().diagnostics.check.reason;
-    fill_views(t);
-    count_work(next().diagnostics);
+    fill_views(s_, params_.horizon.step_s, t);
+    count_work(s_, clock_, next().diagnostics);
     s_.flown = 1 - s_.flown;
     return flown();
-  }
-
-  void fill_views(PlannedTrajectory& t) {
-    resize_polytopes(s_.corridor, t.corridor, s_.problem.corridor.size());
-    for (std::size_t i = 0; i < t.corridor.size(); ++i)
-      t.corridor[i].planes.assign(s_.problem.corridor[i].planes.begin(),
-                                  s_.problem.corridor[i].planes.end());
-    t.visible_regions.clear();
-    const auto& views = s_.ahead.views[0];
-    for (std::size_t k = 0; k < views.size(); ++k) {
-      if (!views[k].seen) continue;
-      VisibleRegion region;
-      region.time_s = params_.horizon.step_s * static_cast<double>(k + 1);
-      region.target_enu_m = s_.expected.paths[0].positions_enu_m[k];
-      region.bisector_rad = views[k].shrunk.bisector_rad;
-      region.half_angle_rad = views[k].shrunk.half_angle_rad;
-      region.waypoint_enu_m = s_.ahead.way.points[s_.ahead.way.arrival[k]];
-      t.visible_regions.push_back(region);
-    }
-  }
-
-  void count_work(PlanDiagnostics& d) const {
-    d.expansions = s_.ahead.search.expansions;
-    d.samples = static_cast<int>(s_.problem.samples.size());
-    d.polytopes = static_cast<int>(s_.problem.corridor.size());
-    d.planes = 0;
-    for (const Polytope& polytope : s_.problem.corridor)
-      d.planes += static_cast<int>(polytope.planes.size());
-    d.stage_ms = clock_.stage_ms();
   }
 
   // Inputs that nothing can be decided by: what is flown flies on unchecked.
@@ -281,7 +253,7 @@ class Replan {
       t.status = stands ? PlanStatus::kHold : PlanStatus::kKept;
       t.reason = reason;
       flown().diagnostics = next().diagnostics;
-      count_work(flown().diagnostics);
+      count_work(s_, clock_, flown().diagnostics);
       return flown();
     }
     brake();
