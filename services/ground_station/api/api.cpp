@@ -17,7 +17,9 @@ constexpr std::size_t kMaxName = 32;
 constexpr std::string_view kRecordings = "/recordings/";
 
 Response outcome_response(int status, const Outcome& outcome) {
-  return json_response(status, Json{{"ok", outcome.ok}, {"reason", outcome.reason}}.dump());
+  const Json said{
+      {"ok", outcome.ok}, {"reason", outcome.reason}, {"answered", outcome.answered}};
+  return json_response(status, said.dump());
 }
 
 std::string text_of(const Json& json, const char* key) {

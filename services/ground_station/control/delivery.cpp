@@ -93,8 +93,9 @@ void Commander::expire(Vehicle& vehicle, double now_s) {
     if (now_s - p.since_s < kPatience_s) return false;
     if (p.report)
       late.emplace_back(std::exchange(p.report, nullptr),
-                        Outcome{false, is_stop ? "the safety gate did not answer: STOP goes on"
-                                               : "the safety gate did not answer"});
+                        Outcome{.reason = is_stop ? "the safety gate did not answer: STOP goes on"
+                                                  : "the safety gate did not answer",
+                                .answered = false});
     if (is_stop && now_s - p.since_s < kStopPatience_s) return false;
     if (!is_about_lease(p.order))
       vehicle.gave_up = Unconfirmed{std::string(to_string(p.order)), p.name, false};

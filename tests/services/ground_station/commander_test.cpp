@@ -122,6 +122,7 @@ TEST_F(Orders, OneThatStaysUnansweredIsGivenUpAndRemainsUnconfirmed) {
   skipped_s_ += 5.0;
   EXPECT_TRUE(until([&] { return outcome_.has_value(); }));
   EXPECT_FALSE(outcome_->ok);
+  EXPECT_FALSE(outcome_->answered);
   ASSERT_TRUE(unconfirmed());
   EXPECT_EQ(unconfirmed()->command, "hold");
   EXPECT_FALSE(unconfirmed()->still_sent);
@@ -139,6 +140,7 @@ TEST_F(Orders, StopGoesOnByBothNodesAfterItWasReportedUnconfirmed) {
   skipped_s_ += 5.0;
   EXPECT_TRUE(until([&] { return outcome_.has_value(); }));
   EXPECT_NE(outcome_->reason.find("STOP goes on"), std::string::npos) << outcome_->reason;
+  EXPECT_FALSE(outcome_->answered);
   EXPECT_TRUE(unconfirmed()->still_sent);
   gate_.deaf = false;
   EXPECT_TRUE(until([&] { return gate_.mission.phase == MissionPhase::kStopped; }));

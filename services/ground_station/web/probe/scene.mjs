@@ -3,9 +3,10 @@
 // process, how much of the machine others took, and how long one picture takes to draw at several
 // ratios of pixels. JSON.
 import { readdirSync, readFileSync } from "node:fs";
+import { setTimeout as wait } from "node:timers/promises";
 
-import { launch, open } from "../tests/chromium.mjs";
 import { startStandIn } from "../tests/stand_in.mjs";
+import { openBare } from "./bare_browser.mjs";
 
 /** Seconds of processor that each kind of the browser's processes, and this one, have had. */
 function processor() {
@@ -32,39 +33,38 @@ function machine() {
   return { busy: (user + nice + system + irq + softirq) / 100, stolen: stolen / 100 };
 }
 
-/** Milliseconds of one picture until it is there, by ratio, with nothing new to show. */
-function raster(page) {
-  return page.workers()[0].evaluate(() => {
-    const { renderer, scene, camera } = self.view;
-    self.view.halt();
-    const gl = renderer.getContext();
-    const draw_ms = () => {
-      const begin_ms = performance.now();
-      renderer.render(scene, camera);
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for it
-      return performance.now() - begin_ms;
-    };
-    const middle = (ratio) => {
-      renderer.setPixelRatio(ratio);
-      const times = Array.from({ length: 30 }, draw_ms).slice(5).sort((a, b) => a - b);
-      return Number(times[12].toFixed(1));
-    };
-    return Object.fromEntries([2, 1, 0.75, 0.5].map((ratio) => [ratio, middle(ratio)]));
-  });
+/** In the worker: milliseconds of one picture until it is there, by ratio, with nothing new to show. */
+function raster() {
+  const { renderer, scene, camera } = self.view;
+  self.view.halt();
+  const gl = renderer.getContext();
+  const draw_ms = () => {
+    const begin_ms = performance.now();
+    renderer.render(scene, camera);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for it
+    return performance.now() - begin_ms;
+  };
+  const middle = (ratio) => {
+    renderer.setPixelRatio(ratio);
+    const times = Array.from({ length: 30 }, draw_ms).slice(5).sort((a, b) => a - b);
+    return Number(times[12].toFixed(1));
+  };
+  return Object.fromEntries([2, 1, 0.75, 0.5].map((ratio) => [ratio, middle(ratio)]));
 }
+
+const counts = () => ({ ...document.querySelector("[data-first]")?.dataset });
 
 const [vehicles = 8, seconds = 15] = process.argv.slice(2).map(Number);
 const station = await startStandIn({ vehicles });
-const browser = await launch({ scene: true });
-const page = await open(browser, station.url, { name: "ada" });
-await page.waitForSelector("[data-first]", { timeout: 60000 });
-const first_ms = Number(await page.getAttribute("[data-first]", "data-first"));
-await page.waitForTimeout(5000);
+const page = await openBare(station.url, process.env["PHONE"] ? { width: 390, height: 844 } : {});
+let first_ms;
+while ((first_ms = (await page.evaluate(counts)).first) === undefined) await wait(50);
+await wait(5000);
 const samples = [];
 const [before, all_before] = [processor(), machine()];
 for (let i = 0; i < seconds; i++) {
-  await page.waitForTimeout(1000);
-  samples.push(await page.evaluate(() => ({ ...document.querySelector("[data-first]").dataset })));
+  await wait(1000);
+  samples.push(await page.evaluate(counts));
 }
 const [after, all_after] = [processor(), machine()];
 const sum = (spent) => Object.values(spent).reduce((all, s) => all + s, 0);
@@ -74,15 +74,15 @@ const middle = (key) => {
   const sorted = samples.map((s) => Number(s[key])).sort((a, b) => a - b);
   return sorted[sorted.length >> 1];
 };
-if (process.env["SHOT"]) await page.screenshot({ path: process.env["SHOT"] });
+if (process.env["SHOT"]) await page.screenshot(process.env["SHOT"]);
 const frames = samples.reduce((sum, s) => sum + Number(s.fps), 0);
 const cpu_ms_a_frame = Object.fromEntries(Object.keys(after).map((kind) =>
   [kind, Number((1000 * (after[kind] - before[kind]) / frames).toFixed(1))]));
-console.log(JSON.stringify({ vehicles, first_picture_ms: first_ms, fps: middle("fps"),
+console.log(JSON.stringify({ vehicles, first_picture_ms: Number(first_ms), fps: middle("fps"),
   fps_all: samples.map((s) => Number(s.fps)), calls: middle("calls"),
   triangles: middle("triangles"), script_ms: middle("script"), busy_ms: middle("busy"),
   ratio: middle("ratio"), cpu_ms_a_frame, cores_of_others: Number((others / seconds).toFixed(2)),
-  raster_ms: await raster(page) }));
-await browser.close();
+  raster_ms: await page.evaluate(raster, "worker") }));
+await page.close();
 station.close();
 process.exit(0);

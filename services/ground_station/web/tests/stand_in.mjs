@@ -187,6 +187,8 @@ class StandIn {
 
   command({ vehicle, command, operator }) {
     this.received.push(`${operator}: ${command} ${vehicle}`);
+    if (this.unconfirmed.has(vehicle))
+      return { ok: false, reason: "the gate is silent", answered: false };
     const holder = this.leases.get(vehicle);
     const ok = command === "stop" || holder === operator;
     const id = (this.last.get(vehicle)?.id ?? 0) + 1;
@@ -196,7 +198,7 @@ class StandIn {
       this.orders.set(vehicle, { mode: 3, reason: 9, phase: 5, command_id: BigInt(id),
         command_result: 1, operator_id: operator });
     if (ok && command === "start") this.orders.delete(vehicle);
-    return { ok, reason: ok ? "" : "no lease" };
+    return { ok, reason: ok ? "" : "no lease", answered: true };
   }
 }
 

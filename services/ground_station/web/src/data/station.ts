@@ -48,6 +48,7 @@ export interface StationStatus {
   clients: StationClient[];
 }
 
-export interface Answer { ok: boolean; reason: string }
+/** Not answered: the safety gate kept silent, so that nobody knows whether the order was obeyed. */
+export interface Answer { ok: boolean; reason: string; answered?: boolean }
 /** A recording on the station's disk. */
 export interface Recording { file: string; bytes: number; [more: string]: unknown }

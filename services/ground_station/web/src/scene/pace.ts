@@ -11,7 +11,7 @@ const longestPatience_s = 60;
 const [enough, veryFew, enoughSlow] = [29, 10, 11];
 // Of a picture until it is drawn: what leaves time for the rest of the page, what does only while no
 // frame is missing, and what is too long for the pace.
-const [good_ms, fair_ms, most_ms] = [24, 16, 28];
+const [good_ms, fair_ms, most_ms] = [26, 20, 30];
 const step = 1.3; // less gains nothing: what is coarse must be drawn out to the page's pixels
 
 export class Pace {

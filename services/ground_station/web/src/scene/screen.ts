@@ -1,9 +1,10 @@
 // The page's side of the scene: the canvas, what is done to it, the labels over it, and its news.
 import type { Session } from "../ui/session.ts";
 import { SceneFeed } from "./feed.ts";
-import type { FromScene, InputEvent, Label, ToScene, ViewKind } from "./messages.ts";
+import type { Counts, FromScene, InputEvent, Label, ToScene, ViewKind } from "./messages.ts";
 
 const longest_ms = 500; // what grows old is drawn so without anything new
+const slow_ms = 8; // for a picture: software draws it, and the rest of the page has less time
 const inputs = ["pointerdown", "pointermove", "pointerup", "pointercancel", "wheel"];
 
 const start = (): Worker =>
@@ -92,12 +93,17 @@ export class SceneScreen {
 
   private hear(message: FromScene): void {
     if (message.kind === "ask") this.asked = true;
-    else if (message.kind === "counted") Object.assign(this.host.dataset, message.counts);
+    else if (message.kind === "counted") this.count(message.counts);
     else if (message.kind === "failed") this.fail(message.reason);
     else {
       message.labels.forEach((label) => this.place(label));
       if (message.placed) this.host.dataset["first"] ??= performance.now().toFixed(0);
     }
+  }
+
+  private count(counts: Counts): void {
+    Object.assign(this.host.dataset, counts);
+    this.session.drawsSlowly = Number(counts.busy) > slow_ms;
   }
 
   private place({ name, x, y, hidden }: Label): void {

@@ -6,9 +6,9 @@ import type { Session } from "./session.ts";
 export async function order(session: Session, vehicle: string, command: Command): Promise<void> {
   if (!vehicle) return session.notice("no vehicle to command");
   session.notice(`${command} ${vehicle} …`);
-  const { ok, reason } = await session.operator.command(vehicle, command);
-  const lost = reason.startsWith("the safety gate did not answer");
-  const result = ok ? "sent" : outcome(lost ? "NOT CONFIRMED" : "refused", reason);
+  const { ok, reason, answered } = await session.operator.command(vehicle, command);
+  const word = answered === false ? "NOT CONFIRMED" : "refused";
+  const result = ok ? "sent" : outcome(word, reason);
   session.notice(`${command} ${vehicle}: ${result}`, !ok);
 }
 

@@ -32,6 +32,7 @@ export class Session {
   span_s = 30; // of the plots
   fresh = 0; // grows when there is something new to draw
   generation = 0; // of the shown state: the scene and the plots begin anew
+  drawsSlowly = false; // the scene takes much of the machine
   message = { text: "", bad: false }; // the answer to the last order, for some seconds
   private sorted: { of: unknown; list: Vehicle[] } = { of: null, list: [] };
   private fed_ms = 0;

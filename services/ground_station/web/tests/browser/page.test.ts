@@ -128,6 +128,10 @@ test("doubt about who is followed is an alarm, and so is an order that is not co
   await expectText(page, card("uav2", "order"), /stop not confirmed/);
   await expectText(page, '[data-alarm="uav2 order"].alarm',
     /stop of ada: not confirmed by the safety gate, still being sent/);
+  await page.click('[data-vehicle="uav2"]');
+  await page.keyboard.down("s");
+  await expectText(page, '[data-field="answer"]', /stop uav2: NOT CONFIRMED: the gate is silent/);
+  await page.keyboard.up("s");
   station.doubtful.clear();
   station.unconfirmed.clear();
   await expectText(page, card("uav1", "health"), /5 services well/);

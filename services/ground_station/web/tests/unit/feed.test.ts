@@ -55,3 +55,21 @@ test("nothing is told twice, and all of it to a new generation", () => {
   tell(feed, known, makeState(), 3);
   assert.equal(known.vehicles.size, 0);
 });
+
+test("of the plan and the intention the chosen vehicle's details are told, also once it is chosen", () => {
+  const face = { normal: [0, 0, 1], offset_m: 2 };
+  const plan = { header: { stamp: { sec: 0 } }, pieces: [{ duration_s: 2,
+    coefficients: [[0, 0, 1], [1, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]] }],
+    tail_start_s: 1.5, stage_times: [], corridor: [{ faces: [face] }], visible_regions: [] };
+  const state = fold([sample("/a/odometry", 1, odometry(0, 0)),
+    sample("/b/plan/trajectory", 1, plan)]);
+  const feed = new SceneFeed();
+  const known = new Known();
+  const corridor = () => known.vehicles.get("b")!.latest["plan/trajectory"]!.message.corridor;
+  tell(feed, known, state);
+  assert.deepEqual(corridor(), []);
+  known.apply(structuredClone(feed.take({ ...shown(state), vehicle: state.vehicles.get("b") })));
+  assert.deepEqual(corridor(), plan.corridor);
+  const { points, tail } = known.vehicles.get("b")!.latest["plan/trajectory"]!.message;
+  assert.deepEqual([...points.slice(0, 3), ...points.slice(-3), tail], [0, 0, 1, 2, 0, 1, 0.75]);
+});

@@ -1,10 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { Vector3 } from "three";
+
 import type { CorridorFace, LocalMap, PointCloud2 } from "../../src/data/messages.ts";
 import { stacked } from "../../src/plots/frames.ts";
 import { polytopeEdges } from "../../src/scene/corridor.ts";
 import { blocks, voxelsOfMap, voxelsOfPoints } from "../../src/scene/voxels.ts";
+import { wallGeometry } from "../../src/scene/walls.ts";
 import { Series, Trail } from "../../src/store/series.ts";
 
 const cube: CorridorFace[] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
@@ -59,6 +62,19 @@ test("a wall is one box, cut at the ceiling, without the ground", () => {
   const ground: [number, number, number][] = [[0, 3, 0], [1, 3, 0]];
   assert.deepEqual(blocks(voxelsOfMap(mapOf([...wall, ...ground])), 0.6, 1.2),
     [{ x0: -1, x1: 1, y0: 0.5, y1: 1, z0: 0, z1: 1.2 }]);
+});
+
+test("the walls' triangles enclose their boxes, and look outward", () => {
+  const geometry = wallGeometry([{ x0: 0, x1: 2, y0: 0, y1: 1, z0: 0, z1: 3 },
+    { x0: 5, x1: 6, y0: 5, y1: 7, z0: 1, z1: 2 }]);
+  const index = geometry.getIndex()!;
+  const corners = geometry.getAttribute("position");
+  let volume = 0; // by the divergence theorem
+  for (let i = 0; i < index.count; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((n) => new Vector3().fromBufferAttribute(corners, index.getX(i + n)));
+    volume += a!.dot(b!.cross(c!)) / 6;
+  }
+  assert.ok(Math.abs(volume - (6 + 2)) < 1e-5, `${volume}`);
 });
 
 test("the cloud of a map's cells gives the map's voxels", () => {
