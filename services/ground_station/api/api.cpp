@@ -17,8 +17,7 @@ constexpr std::size_t kMaxName = 32;
 constexpr std::string_view kRecordings = "/recordings/";
 
 Response outcome_response(int status, const Outcome& outcome) {
-  const Json said{
-      {"ok", outcome.ok}, {"reason", outcome.reason}, {"answered", outcome.answered}};
+  const Json said{{"ok", outcome.ok}, {"reason", outcome.reason}, {"answered", outcome.answered}};
   return json_response(status, said.dump());
 }
 

@@ -19,7 +19,7 @@ namespace foretrack::station {
 struct Outcome {
   bool ok = false;
   std::string reason;
-  bool answered = true; ///< by the safety gate, or here: false where the gate kept silent
+  bool answered = true;  ///< by the safety gate, or here: false where the gate kept silent
 };
 using Report = std::function<void(const Outcome&)>;
 
