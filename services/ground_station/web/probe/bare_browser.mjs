@@ -1,5 +1,5 @@
-// Chromium without a debugger that follows its network, as an operator has it. Playwright is told of
-// every WebSocket frame with all that is in it, which takes a tenth of what the page takes by itself.
+// Chromium without a debugger that follows its network, as an operator has it. Playwright is told
+// of every WebSocket frame with all that is in it, which takes a tenth of what all else takes.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -28,12 +28,13 @@ function processor() {
 
 /** Seconds of processor that all have had, and those taken from the machine itself. */
 function machine() {
-  const jiffies = readFileSync("/proc/stat", "utf8").split("\n")[0].split(/\s+/).slice(1).map(Number);
+  const line = readFileSync("/proc/stat", "utf8").split("\n")[0];
+  const jiffies = line.split(/\s+/).slice(1).map(Number);
   const [user, nice, system, , , irq, softirq, stolen] = jiffies;
   return { busy: (user + nice + system + irq + softirq) / 100, stolen: stolen / 100 };
 }
 
-/** In the worker: milliseconds of one picture until it is there, by ratio, with nothing new to show. */
+/** In the worker: milliseconds of one picture until it is there, by ratio; nothing new to show. */
 function raster() {
   const { renderer, scene, camera } = self.view;
   self.view.halt();

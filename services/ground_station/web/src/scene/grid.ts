@@ -11,7 +11,8 @@ export function groundGrid(): LineSegments {
     for (let from = -far_m; from < far_m; from += gridStep_m) {
       const isNear = Math.abs(side) <= near_m && from >= -near_m && from < near_m;
       if (isNear || side % gridStep_m === 0)
-        points.push(side, from, 0, side, from + gridStep_m, 0, from, side, 0, from + gridStep_m, side, 0);
+        points.push(side, from, 0, side, from + gridStep_m, 0,
+          from, side, 0, from + gridStep_m, side, 0);
     }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new Float32BufferAttribute(points, 3));

@@ -9,8 +9,8 @@ const patience_s = 4;
 const longestPatience_s = 60;
 // Of a second: fewer frames are too few, or so few that only a slower pace helps.
 const [enough, veryFew, enoughSlow] = [29, 10, 11];
-// Of a picture until it is drawn: what leaves time for the rest of the page, what does only while no
-// frame is missing, and what is too long for the pace.
+// Of a picture until it is drawn: what leaves time for the rest of the page, what does only while
+// no frame is missing, and what is too long for the pace.
 const [good_ms, fair_ms, most_ms] = [26, 20, 30];
 const step = 1.3; // less gains nothing: what is coarse must be drawn out to the page's pixels
 
@@ -36,7 +36,7 @@ export class Pace {
     return true;
   }
 
-  /** After each second in which all frames were wanted; busy_ms: of a picture, until it is drawn. */
+  /** After each second in which all frames were wanted; busy_ms: of a picture until it is drawn. */
   adapt(fps: number, busy_ms: number): void {
     if (this.starting_s-- > 0) return;
     this.sinceFiner_s++;

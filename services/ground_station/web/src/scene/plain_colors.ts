@@ -1,5 +1,5 @@
-// Colours are what the screen shows, not light to be added up: to convert each pixel from one to the
-// other costs more than to draw it, where software draws. Imported before any colour is made.
+// Colours are what the screen shows, not light to be added up: to convert each pixel from one to
+// the other costs much where software draws. Imported before any colour is made.
 import { ColorManagement } from "three";
 
 ColorManagement.enabled = false;

@@ -1,5 +1,5 @@
-// Of each message what the scene draws, in as few objects as can be: each of them, and above all each
-// small array of numbers, costs when it is handed to another thread.
+// Of each message what the scene draws, in as few objects as can be: each of them, and above all
+// each small array of numbers, costs when it is handed to another thread.
 import type {
   CameraModel, LocalMap, PlannedTrajectory, PointCloud2, Pose, TargetIntention, TargetPrediction,
   Vec3,

@@ -1,6 +1,8 @@
-// Occupied cells as they are drawn: all boxes in one mesh. Software draws each instance as if it were
-// a mesh of its own, which takes twice as long.
-import { BoxGeometry, BufferAttribute, BufferGeometry, Color, Mesh, MeshBasicMaterial } from "three";
+// Occupied cells as they are drawn: all boxes in one mesh. Software draws each instance as if it
+// were a mesh of its own, which takes twice as long.
+import {
+  BoxGeometry, BufferAttribute, BufferGeometry, Color, Mesh, MeshBasicMaterial,
+} from "three";
 
 import { type Block, blocks, type Voxels } from "./voxels.ts";
 

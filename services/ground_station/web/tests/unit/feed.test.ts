@@ -56,7 +56,7 @@ test("nothing is told twice, and all of it to a new generation", () => {
   assert.equal(known.vehicles.size, 0);
 });
 
-test("of the plan and the intention the chosen vehicle's details are told, also once it is chosen", () => {
+test("details of the chosen vehicle alone are told, also when it is chosen later", () => {
   const face = { normal: [0, 0, 1], offset_m: 2 };
   const plan = { header: { stamp: { sec: 0 } }, pieces: [{ duration_s: 2,
     coefficients: [[0, 0, 1], [1, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]] }],

@@ -71,7 +71,8 @@ test("the walls' triangles enclose their boxes, and look outward", () => {
   const corners = geometry.getAttribute("position");
   let volume = 0; // by the divergence theorem
   for (let i = 0; i < index.count; i += 3) {
-    const [a, b, c] = [0, 1, 2].map((n) => new Vector3().fromBufferAttribute(corners, index.getX(i + n)));
+    const [a, b, c] = [0, 1, 2].map((n) =>
+      new Vector3().fromBufferAttribute(corners, index.getX(i + n)));
     volume += a!.dot(b!.cross(c!)) / 6;
   }
   assert.ok(Math.abs(volume - (6 + 2)) < 1e-5, `${volume}`);
