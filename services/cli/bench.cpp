@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <memory>
 
@@ -22,6 +23,15 @@ struct Options {
   BenchOptions bench;
   bool report = true;
 };
+
+// What was flown until Ctrl-C is written; a second one ends the program at once.
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int signal) {
+  interrupted = 1;
+  constexpr std::string_view kNote = "\nending with the flights under way; once more: at once\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kNote.data(), kNote.size());
+  std::signal(signal, SIG_DFL);
+}
 
 std::string clock_of(double seconds) {
   const int s = static_cast<int>(std::lround(seconds));
@@ -107,19 +117,24 @@ void complete(Options& o) {
     if (o.logs == kKeptLogsNames[i]) o.bench.logs = static_cast<KeptLogs>(i);
   o.bench.out = o.out;
   o.bench.progress = progress_line();
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  o.bench.stopped = [] { return interrupted != 0; };
 }
 
 int bench_with(Options o) {
   complete(o);
   const BenchResults results = run_bench(o.request, o.bench);
+  if (interrupted != 0)
+    fmt::print("\ninterrupted: these are the {} flights until then\n", results.jobs.size());
   print_cells(results);
   print_comparisons(results);
   print_failures(results);
   if (o.out.empty()) return 0;
-  if (o.report) write_report(o.out, command_of(o));
+  if (o.report) write_report(o.out, command_of(o) + (interrupted != 0 ? "   (interrupted)" : ""));
   fmt::print("\nwritten to {}\n",
              (o.bench.out / (o.report ? "report.html" : "summary.json")).string());
-  return 0;
+  return interrupted != 0 ? 130 : 0;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ BenchResults run_bench(const BenchRequest& request, const BenchOptions& options)
       if (options.logs == KeptLogs::kAll || record.failed())
         write_gzip(options.out / "logs" / log_name_of(job), log);
     };
-  r.records = run_jobs(r.jobs, options.threads, options.progress, keep);
+  r.records = run_jobs(r.jobs, options.threads, options.progress, keep, options.stopped);
+  if (r.jobs.empty()) throw std::runtime_error("bench: stopped before a flight had ended");
   r.cells = summarize(r.jobs, r.records);
   r.scenes = summarize(r.jobs, r.records, true);
   r.comparisons = compare(r.jobs, r.records, r.cells);

@@ -16,6 +16,7 @@ struct BenchOptions {
   std::filesystem::path out = {};  // empty: nothing is written
   KeptLogs logs = KeptLogs::kFailed;
   std::function<void(const BenchProgress&)> progress = {};
+  std::function<bool()> stopped = {};  // once true: what was flown until then is summed up
 };
 
 /// Flies all of it and sums it up; with a folder, writes summary.json, details.json, flights.csv

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -26,9 +26,9 @@ double cost_of(const FlightJob& job) {
 // Threads take the next job from here and put its record in its place.
 class Pool {
  public:
-  Pool(const std::vector<FlightJob>& jobs, const std::function<void(const BenchProgress&)>& show,
-       const LogSink& sink)
-      : jobs_(jobs), show_(show), sink_(sink), records_(jobs.size()) {
+  Pool(std::vector<FlightJob>& jobs, const std::function<void(const BenchProgress&)>& show,
+       const LogSink& sink, const std::function<bool()>& stopped)
+      : jobs_(jobs), show_(show), sink_(sink), stopped_(stopped), records_(jobs.size()) {
     for (const FlightJob& job : jobs) cost_total_ += cost_of(job);
   }
 
@@ -38,22 +38,32 @@ class Pool {
       for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
     }
     if (!error_.empty()) throw std::runtime_error(error_);
-    return std::move(records_);
+    std::vector<FlightJob> flown;
+    std::vector<RunRecord> records;
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      if (!records_[i]) continue;
+      flown.push_back(std::move(jobs_[i]));
+      records.push_back(std::move(*records_[i]));
+    }
+    jobs_ = std::move(flown);
+    return records;
   }
 
  private:
   void work() {
-    for (std::size_t i = next_++; i < jobs_.size() && !stop_; i = next_++) {
+    for (std::size_t i = next_++; i < jobs_.size() && !ends(); i = next_++) {
       try {
         records_[i] = run_job(jobs_[i], sink_);
         report(jobs_[i]);
       } catch (const std::exception& error) {
         const std::lock_guard lock(mutex_);
-        stop_ = true;
+        failed_ = true;
         if (error_.empty()) error_ = jobs_[i].command + "\n  " + error.what();
       }
     }
   }
+
+  bool ends() const { return failed_ || (stopped_ && stopped_()); }
 
   void report(const FlightJob& job) {
     const std::lock_guard lock(mutex_);
@@ -64,12 +74,13 @@ class Pool {
       show_({done_, jobs_.size(), elapsed_s, elapsed_s * (cost_total_ / cost_done_ - 1.0)});
   }
 
-  const std::vector<FlightJob>& jobs_;
+  std::vector<FlightJob>& jobs_;
   const std::function<void(const BenchProgress&)>& show_;
   const LogSink& sink_;
-  std::vector<RunRecord> records_;
+  const std::function<bool()>& stopped_;
+  std::vector<std::optional<RunRecord>> records_;
   std::atomic<std::size_t> next_{0};
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> failed_{false};
   std::mutex mutex_;
   std::string error_;
   std::size_t done_ = 0;
@@ -92,11 +103,12 @@ RunRecord run_job(const FlightJob& job, const LogSink& sink) {
   return record;
 }
 
-std::vector<RunRecord> run_jobs(const std::vector<FlightJob>& jobs, int threads,
+std::vector<RunRecord> run_jobs(std::vector<FlightJob>& jobs, int threads,
                                 const std::function<void(const BenchProgress&)>& show,
-                                const LogSink& sink) {
+                                const LogSink& sink, const std::function<bool()>& stopped) {
   if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  return Pool(jobs, show, sink).run(std::min(threads, std::max(1, static_cast<int>(jobs.size()))));
+  return Pool(jobs, show, sink, stopped)
+      .run(std::min(threads, std::max(1, static_cast<int>(jobs.size()))));
 }
 
 }  // namespace foretrack

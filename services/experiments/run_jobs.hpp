@@ -24,9 +24,11 @@ RunRecord run_job(const FlightJob& job, const LogSink& sink = {});
 
 /// Records in the order of the jobs, whatever the number of threads (0: one a core): the same
 /// records but for plan_ms. show is called from one thread at a time. The first error of a flight
-/// ends the bench and is thrown, with the command that flies it again.
-std::vector<RunRecord> run_jobs(const std::vector<FlightJob>& jobs, int threads,
+/// ends the bench and is thrown, with the command that flies it again. Once stopped() holds, no
+/// further flight begins, and jobs keeps only those that were flown.
+std::vector<RunRecord> run_jobs(std::vector<FlightJob>& jobs, int threads,
                                 const std::function<void(const BenchProgress&)>& show = {},
-                                const LogSink& sink = {});
+                                const LogSink& sink = {},
+                                const std::function<bool()>& stopped = {});
 
 }  // namespace foretrack

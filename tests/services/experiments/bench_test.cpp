@@ -94,6 +94,20 @@ TEST_F(Bench, TheSameSeedGivesTheSameHashesOnAnyNumberOfThreads) {
   EXPECT_NE(alone, hashes(4, 103));
 }
 
+TEST_F(Bench, SumsUpWhatWasFlownUntilItWasStopped) {
+  std::size_t done = 0;
+  BenchOptions options{.threads = 1, .out = folder_ / "out", .logs = KeptLogs::kNone};
+  options.progress = [&](const BenchProgress& progress) { done = progress.done; };
+  options.stopped = [&] { return done >= 3; };
+  const BenchResults r = run_bench(small_request(), options);  // of four flights
+  ASSERT_EQ(r.jobs.size(), 3u);
+  ASSERT_EQ(r.records.size(), 3u);
+  std::size_t runs = 0;
+  for (const auto& cell : r.cells) runs += cell.runs.size();
+  EXPECT_EQ(runs, 3u);
+  EXPECT_EQ(summary()["cells"].size(), 2u);
+}
+
 TEST_F(Bench, AFlightOfABenchIsTheOneThatItsCommandFlies) {
   BenchRequest request = small_request();
   request.experiments[0].duration_s = 3.0;
