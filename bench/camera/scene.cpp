@@ -31,7 +31,6 @@ Scene::Scene(const WalkCase& w, PoseNetwork& n, const PerceptionParams& p, WalkS
                          walk_along(route, {1.4, 3.0, 0.45}), 0.0)),
       camera(make_color_camera({}, world, load_person(w.person))),
       depth(make_depth_camera({}, w.seed)) {
-  params = for_images(p);
   params.target_height_m = w.height_m;
 }
 
@@ -72,8 +71,8 @@ PoseResult Scene::see() {
 }
 
 PerceptionResult Scene::measure(const PoseResult& result) {
-  const auto observation =
-      to_observation(result.person, vehicle.stamp_s, camera.params.camera, params);
+  auto observation = to_observation(result.person, vehicle.stamp_s, camera.params.camera, params);
+  observation.doubtful = result.ambiguous;
   const PerceptionResult out = perceive(filter, observation, vehicles, params);
   note(out, scores.by_height);
   depth.next_image_s = vehicle.stamp_s;

@@ -25,6 +25,7 @@ struct TargetObservation {
   enum class Kind : std::uint8_t { kLandmarks, kPosition };
   double stamp_s = 0.0;  // of the image
   Kind kind = Kind::kLandmarks;
+  bool doubtful = false;  // it may be somebody else's
   // kLandmarks
   CameraModel camera;
   std::array<Landmark, kLandmarkCount> landmarks{};

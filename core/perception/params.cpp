@@ -2,13 +2,6 @@
 
 namespace foretrack {
 
-PerceptionParams for_images(const PerceptionParams& params) {
-  PerceptionParams own = params;
-  own.reinitialise_after = params.reinitialise_images_after;
-  own.doubt_density_m2_s3 = params.doubt_density_images_m2_s3;
-  return own;
-}
-
 ParamRows rows(PerceptionParams& p) {
   return {
       {"model_complexity", &p.model_complexity, "1", 0, 2,
@@ -68,9 +61,7 @@ ParamRows rows(PerceptionParams& p) {
       {"manoeuvre_density_m2_s3", &p.manoeuvre_density_m2_s3, "m2/s3", 1e-4, 100.0,
        "the same while the target turns, stops or starts"},
       {"doubt_density_m2_s3", &p.doubt_density_m2_s3, "m2/s3", 1e-4, 100.0,
-       "it is no more than this while measurements are refused"},
-      {"doubt_density_images_m2_s3", &p.doubt_density_images_m2_s3, "m2/s3", 1e-4, 100.0,
-       "the same of poses in images, which may be those of others"},
+       "it is no more than this while measurements are refused that may be somebody else's"},
       {"manoeuvre_memory_s", &p.manoeuvre_memory_s, "s", 0.01, 5.0,
        "time over which innovations are averaged to notice a manoeuvre"},
       {"manoeuvre_level", &p.manoeuvre_level, "1", 0.05, 10.0,
@@ -85,8 +76,8 @@ ParamRows rows(PerceptionParams& p) {
        "a measurement farther from the estimate is not used"},
       {"reinitialise_after", &p.reinitialise_after, "1", 1, 1000,
        "agreeing refused measurements in a row that start the track anew"},
-      {"reinitialise_images_after", &p.reinitialise_images_after, "1", 1, 1000,
-       "the same of poses in images, which may be those of others"},
+      {"reinitialise_doubtful_after", &p.reinitialise_doubtful_after, "1", 1, 1000,
+       "the same if they may be somebody else's"},
       {"reinitialise_radius_m", &p.reinitialise_radius_m, "m", 0.05, 10.0,
        "within which they agree"},
       {"yaw_density_rad2_s", &p.yaw_density_rad2_s, "rad2/s", 1e-4, 100.0,

@@ -41,15 +41,14 @@ struct PerceptionParams {
   double steady_density_m2_s3 = 0.22;
   double manoeuvre_density_m2_s3 = 5.0;
   double manoeuvre_memory_s = 0.12;
-  double doubt_density_m2_s3 = 100.0;
-  double doubt_density_images_m2_s3 = 0.22;
+  double doubt_density_m2_s3 = 0.22;
   double manoeuvre_level = 0.65;
   double vertical_density_m2_s3 = 0.05;
   double vertical_damping_s = 0.5;
   double initial_speed_sigma_m_s = 1.0;
   double gate_mahalanobis = 4.0;
   int reinitialise_after = 5;
-  int reinitialise_images_after = 30;
+  int reinitialise_doubtful_after = 30;
   double reinitialise_radius_m = 1.0;
   double yaw_density_rad2_s = 0.2;
   double yaw_gate_rad = 1.6;
@@ -60,9 +59,5 @@ struct PerceptionParams {
 };
 
 ParamRows rows(PerceptionParams& p);
-
-/// For observations that were made from images here: where others may be in view, the track is not
-/// given up as soon.
-PerceptionParams for_images(const PerceptionParams& params);
 
 }  // namespace foretrack

@@ -161,6 +161,7 @@ PerceptionResult perceive(PerceptionState& state, const TargetObservation& obser
                           double torso_depth_m) {
   PerceptionResult result;
   result.measured.stamp_s = observation.stamp_s;
+  result.measured.doubtful = observation.doubtful;
   const bool measured = observation.kind == TargetObservation::Kind::kLandmarks
                             ? measure_landmarks(observation, vehicle, torso_depth_m, params, result)
                             : measure_position(observation, result);

@@ -52,7 +52,8 @@ double horizontal_density(const TargetEstimate& e, const PerceptionParams& param
   const double weight = std::clamp(ratio * ratio - 1.0, 0.0, 1.0);
   const double density = params.steady_density_m2_s3 +
                          weight * (params.manoeuvre_density_m2_s3 - params.steady_density_m2_s3);
-  return e.gated_in_a_row > 0 ? std::min(density, params.doubt_density_m2_s3) : density;
+  const bool doubt = e.gated_in_a_row > 0 && e.gated_doubtful;
+  return doubt ? std::min(density, params.doubt_density_m2_s3) : density;
 }
 
 void correct_position(TargetEstimate& e, const TorsoMeasurement& m, const Mat3& inverse) {
@@ -113,8 +114,10 @@ TargetEstimate advance(const TargetEstimate& estimate, const TorsoMeasurement& m
                       (m.position_enu_m - e.gated_position_m).norm() < params.reinitialise_radius_m;
   e.gated_in_a_row = agrees ? e.gated_in_a_row + 1 : 1;
   e.gated_position_m = m.position_enu_m;
+  e.gated_doubtful = m.doubtful;
   e.verdict = FilterVerdict::kGated;
-  return e.gated_in_a_row >= params.reinitialise_after ? started(m, params) : e;
+  const int enough = m.doubtful ? params.reinitialise_doubtful_after : params.reinitialise_after;
+  return e.gated_in_a_row >= enough ? started(m, params) : e;
 }
 
 }  // namespace foretrack

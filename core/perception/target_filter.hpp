@@ -17,6 +17,7 @@ struct TorsoMeasurement {
   Mat3 covariance_m2 = Mat3::Identity();
   double yaw_rad = std::numeric_limits<double>::quiet_NaN();  // NaN: not measured
   double yaw_variance_rad2 = 1.0;
+  bool doubtful = false;  // it may be somebody else's
 };
 
 enum class FilterVerdict : std::uint8_t { kAccepted, kGated, kStarted };
@@ -32,6 +33,7 @@ struct TargetEstimate {
   double accepted_s = 0.0;        // stamp of the last accepted measurement
   Vec2 manoeuvre = Vec2::Zero();  // mean of the recent innovations, in standard deviations
   int gated_in_a_row = 0;
+  bool gated_doubtful = false;           // the last of them may have been somebody else
   Vec3 gated_position_m = Vec3::Zero();  // the last of them
   int yaw_gated_in_a_row = 0;
   FilterVerdict verdict = FilterVerdict::kStarted;  // on the last measurement
@@ -44,7 +46,7 @@ TargetEstimate predict_estimate(const TargetEstimate& estimate, double stamp_s,
                                 const PerceptionParams& params);
 
 /// Predict, gate, correct. Starts the track on the first measurement, after a loss, and after
-/// several agreeing measurements that the gate refused.
+/// several agreeing measurements that the gate refused; more of them where they are doubtful.
 TargetEstimate advance(const TargetEstimate& estimate, const TorsoMeasurement& measurement,
                        const PerceptionParams& params);
 

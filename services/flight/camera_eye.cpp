@@ -25,6 +25,7 @@ const CameraEye::Seen* CameraEye::look(const SimulatorOutput& output, const Perc
     if (result_.found()) {
       Seen& seen = waiting_.emplace_back();
       seen.observation = to_observation(result_.person, image->stamp_s, image->camera, params_);
+      seen.observation.doubtful = result_.ambiguous;
       seen.torso_depth_m = torso_depth_of(seen.observation, output.depth);
     }
     watch_others(state_, image->pixels, image->stamp_s, network_, params_);

@@ -86,9 +86,7 @@ AutopilotInput command_of(const GateResult& gate) {
 
 FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                  const FlightOptions& options, const TrackerWatch& watch) {
-  TrackerParams own = params;
-  if (scenario.color_images) own.perception = for_images(params.perception);
-  TrackerState tracker(own);
+  TrackerState tracker(params);
   std::optional<CameraEye> eye;
   if (scenario.color_images)
     eye.emplace(load_pose_network(find_share("models"),
@@ -108,7 +106,7 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
       input.torso_depth_m = seen->torso_depth_m;
     }
     const double begin_ms = cpu_ms();  // other flights run beside this one
-    const TrackerOutput out = step(tracker, input, own);
+    const TrackerOutput out = step(tracker, input, params);
     if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);
     if (watch) watch(out);
     s.command = command_of(out.gate);

@@ -81,6 +81,7 @@ void ImageInput::look(double stamp_s) {
   if (result.found()) {
     undistort(result.person, camera_->camera, camera_->lens);
     observation_ = to_observation(result.person, stamp_s, camera_->camera, params_);
+    observation_.doubtful = result.ambiguous;
     seen.observation = &observation_;
     seen.torso_depth_m = torso_depth_m(observation_);
   }

@@ -25,7 +25,6 @@ constexpr double kOwnImages_s = 1.0;  // while there are some, observations of o
 PerceptionService::PerceptionService(Service& service, const PerceptionParams& params)
     : service_(service),
       params_(params),
-      params_of_images_(for_images(params)),
       vehicle_(service, [this] { perceive_waiting(); }),
       observation_(service.node()),
       target_(service.node()),
@@ -41,7 +40,7 @@ void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& messa
   if (sees_nobody(message)) return;
   const auto observation = from_idl(message);
   if (!observation) return observation_.refuse(observation.fault());
-  wait_for_odometry({*observation, 0.0, std::numeric_limits<double>::quiet_NaN(), false});
+  wait_for_odometry({*observation, 0.0, std::numeric_limits<double>::quiet_NaN()});
 }
 
 void PerceptionService::take_seen(const ImageInput::Seen& seen) {
@@ -52,7 +51,7 @@ void PerceptionService::take_seen(const ImageInput::Seen& seen) {
   }
   if (seen.observation) {
     to_idl(*seen.observation, seen_->sample());
-    wait_for_odometry({*seen.observation, 0.0, seen.torso_depth_m, true});
+    wait_for_odometry({*seen.observation, 0.0, seen.torso_depth_m});
   } else {
     to_idl_nobody(seen.stamp_s, seen_->sample());
   }
@@ -70,12 +69,11 @@ void PerceptionService::wait_for_odometry(Waiting observed) {
 void PerceptionService::perceive_waiting() {
   const double now_s = service_.clock().now_s();
   for (; !waiting_.empty(); waiting_.pop_front()) {
-    const auto& [observation, arrived_s, torso_depth_m, of_image] = waiting_.front();
+    const auto& [observation, arrived_s, torso_depth_m] = waiting_.front();
     const VehicleState* vehicle = vehicle_.newest();
     const bool covered = vehicle && vehicle->stamp_s >= observation.stamp_s;
     if (!covered && now_s - arrived_s < kPoseWait_s) return;
-    const auto result = perceive(state_, observation, vehicle_.history(),
-                                 of_image ? params_of_images_ : params_, torso_depth_m);
+    const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
     if (result.status == PerceptionStatus::kGated) ++gated_;
     delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
     if (result.target.stamp_s > published_s_) publish(result.target);

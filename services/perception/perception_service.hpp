@@ -25,7 +25,6 @@ class PerceptionService {
     TargetObservation observation;
     double arrived_s = 0.0;
     double torso_depth_m = 0.0;  // NaN: not measured
-    bool of_image = false;
   };
   void take(const foretrack_msgs::msg::TargetObservation& message);
   void take_seen(const ImageInput::Seen& seen);
@@ -36,7 +35,7 @@ class PerceptionService {
   void publish_markers(const TargetState& target);
 
   Service& service_;
-  PerceptionParams params_, params_of_images_;
+  PerceptionParams params_;
   PerceptionState state_;
   VehicleInput vehicle_;
   Reader<topics::TargetObservation> observation_;

@@ -157,16 +157,21 @@ TEST(Perceive, OneWildMeasurementDoesNotMoveTheEstimate) {
   EXPECT_LT((result.target.position_enu_m - walked(1.01)).norm(), 0.02);
 }
 
+// Of what may be somebody else's, more of them.
 TEST(Perceive, AgreeingMeasurementsElsewhereStartTheTrackAnew) {
-  PerceptionState state;
-  walk_straight(state, 0.0, 1.0);
-  const Vec3 elsewhere(1.0, 6.0, 1.2);
-  for (int k = 1; k <= kParams.reinitialise_after; ++k) {
-    const auto result =
-        perceive(state, position_at(1.0 + kFrame_s * k, elsewhere), VehicleHistory(), kParams);
-    const bool last = k == kParams.reinitialise_after;
-    EXPECT_EQ(result.status, last ? PerceptionStatus::kStarted : PerceptionStatus::kGated) << k;
-    EXPECT_EQ((result.target.position_enu_m - elsewhere).norm() < 0.1, last) << k;
+  for (const bool doubtful : {false, true}) {
+    PerceptionState state;
+    walk_straight(state, 0.0, 1.0);
+    const Vec3 elsewhere(1.0, 6.0, 1.2);
+    const int enough = doubtful ? kParams.reinitialise_doubtful_after : kParams.reinitialise_after;
+    for (int k = 1; k <= enough; ++k) {
+      TargetObservation observation = position_at(1.0 + kFrame_s * k, elsewhere);
+      observation.doubtful = doubtful;
+      const auto result = perceive(state, observation, VehicleHistory(), kParams);
+      const bool last = k == enough;
+      EXPECT_EQ(result.status, last ? PerceptionStatus::kStarted : PerceptionStatus::kGated) << k;
+      EXPECT_EQ((result.target.position_enu_m - elsewhere).norm() < 0.1, last) << k;
+    }
   }
 }
 
