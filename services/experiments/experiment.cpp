@@ -70,7 +70,7 @@ const std::vector<Experiment>& experiments() {
        .speeds_m_s = {1.5},
        .conditions = stress_conditions(),
        .runs = 1,
-       .quick_duration_s = 20.0}};
+       .quick_duration_s = 10.0}};
   return all;
 }
 
