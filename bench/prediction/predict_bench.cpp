@@ -1,6 +1,6 @@
 // Measures prediction on held-out walks, simulated and recorded; or, to tune by, on such walks as
 // the intentions were fitted on.
-// Usage: predict_bench [--tracks FILE] [--json FILE]
+// Usage: predict_bench [--tracks FILE] [--json FILE] [--training]
 #include <chrono>
 #include <cstdio>
 #include <cstring>

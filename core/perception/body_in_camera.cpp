@@ -9,13 +9,8 @@ std::optional<BodyInCamera> locate_body(const PersonPose& person, const CameraMo
   const TargetObservation observation = to_observation(person, 0.0, camera, params);
   const auto pose = estimate_body_pose(observation.landmarks, camera, params);
   if (!pose) return std::nullopt;
-  const double scale = params.target_height_m / params.landmark_height_m;
-  const auto joint = [&](TorsoJoint j) -> Vec3 {
-    return pose->joint_camera_m(scale * observation.landmarks[j].body_m);
-  };
   BodyInCamera body;
-  body.torso_camera_m =
-      0.25 * (joint(kLeftShoulder) + joint(kRightShoulder) + joint(kLeftHip) + joint(kRightHip));
+  body.torso_camera_m = torso_camera_m(*pose, observation.landmarks, params);
   // Ahead is z, to the left is −x; the chest is a quarter turn clockwise of right → left shoulder.
   const auto seen = [&](TorsoJoint j) {
     return seen_joint_m(*pose, observation.landmarks[j], camera, params);

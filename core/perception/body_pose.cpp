@@ -37,6 +37,11 @@ bool is_visible(const Landmark& landmark, const PerceptionParams& params) {
          landmark.body_m.allFinite();
 }
 
+// From the height that the landmarks' source assumes to that of this person.
+double height_scale(const PerceptionParams& params) {
+  return params.target_height_m / params.landmark_height_m;
+}
+
 Vec2 ray_of(const Vec2& image_px, const CameraModel& camera) {
   return {(image_px.x() - camera.cx_px) / camera.fx_px,
           (image_px.y() - camera.cy_px) / camera.fy_px};
@@ -44,7 +49,7 @@ Vec2 ray_of(const Vec2& image_px, const CameraModel& camera) {
 
 Pairs visible_pairs(const std::array<Landmark, kLandmarkCount>& landmarks,
                     const CameraModel& camera, const PerceptionParams& params) {
-  const double scale = params.target_height_m / params.landmark_height_m;
+  const double scale = height_scale(params);
   Pairs pairs;
   for (int i = 0; i < kLandmarkCount; ++i) {
     const Landmark& l = landmarks[i];
@@ -182,10 +187,18 @@ int visible_count(const std::array<Landmark, kLandmarkCount>& landmarks,
   return count;
 }
 
+Vec3 torso_camera_m(const BodyPose& pose, const std::array<Landmark, kLandmarkCount>& landmarks,
+                    const PerceptionParams& params) {
+  const double scale = height_scale(params);
+  const auto joint = [&](TorsoJoint j) -> Vec3 {
+    return pose.joint_camera_m(scale * landmarks[j].body_m);
+  };
+  return 0.25 * (joint(kLeftShoulder) + joint(kRightShoulder) + joint(kLeftHip) + joint(kRightHip));
+}
+
 Vec3 seen_joint_m(const BodyPose& pose, const Landmark& landmark, const CameraModel& camera,
                   const PerceptionParams& params) {
-  const double scale = params.target_height_m / params.landmark_height_m;
-  const double depth_m = pose.joint_camera_m(scale * landmark.body_m).z();
+  const double depth_m = pose.joint_camera_m(height_scale(params) * landmark.body_m).z();
   return depth_m * ray_of(landmark.image_px, camera).homogeneous();
 }
 

@@ -31,6 +31,10 @@ std::optional<BodyPose> estimate_body_pose(const std::array<Landmark, kLandmarkC
                                            const CameraModel& camera,
                                            const PerceptionParams& params);
 
+/// The middle of shoulders and hips, by the pose; optical frame.
+Vec3 torso_camera_m(const BodyPose& pose, const std::array<Landmark, kLandmarkCount>& landmarks,
+                    const PerceptionParams& params);
+
 /// A joint where the image shows it, at the depth that the pose gives it; optical frame. Across the
 /// line of sight, a network's image points are more accurate than its joints in the human frame.
 Vec3 seen_joint_m(const BodyPose& pose, const Landmark& landmark, const CameraModel& camera,

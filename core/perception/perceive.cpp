@@ -47,18 +47,13 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
   if (!body) return refuse(PerceptionStatus::kPnpFailed);
 
   const Pose T_world_camera = at_image->T_world_body() * observation.camera.T_body_camera;
-  const double scale = params.target_height_m / params.landmark_height_m;
-  const auto joint_camera_m = [&](TorsoJoint joint) -> Vec3 {
-    return body->joint_camera_m(scale * observation.landmarks[joint].body_m);
-  };
-  Vec3 torso_camera_m = 0.25 * (joint_camera_m(kLeftShoulder) + joint_camera_m(kRightShoulder) +
-                                joint_camera_m(kLeftHip) + joint_camera_m(kRightHip));
-  const double farther = depth_correction(torso_camera_m, torso_depth_m, params);
-  if (farther > 0.0) torso_camera_m *= farther;
+  Vec3 torso_m = torso_camera_m(*body, observation.landmarks, params);
+  const double farther = depth_correction(torso_m, torso_depth_m, params);
+  if (farther > 0.0) torso_m *= farther;
   TorsoMeasurement& m = result.measured;
-  m.position_enu_m = T_world_camera * torso_camera_m;
+  m.position_enu_m = T_world_camera * torso_m;
   const double noise = body->noise_scale * body->noise_scale;
-  const Vec3 sight_m = T_world_camera.linear() * torso_camera_m;
+  const Vec3 sight_m = T_world_camera.linear() * torso_m;
   m.covariance_m2 = noise * position_noise(sight_m, farther > 0.0, params);
   const auto seen_m = [&](TorsoJoint joint) -> Vec3 {
     return T_world_camera *
