@@ -1,8 +1,6 @@
 #include "bench/prediction/fit_hidden.hpp"
 
-#include <numeric>
-
-#include "core/common/random.hpp"
+#include "bench/prediction/adam.hpp"
 
 namespace foretrack::bench {
 namespace {
@@ -102,16 +100,6 @@ void add_gradient(const Model& m, const Sample& s, double weight, Model& gradien
   gradient.decelerate += p[3] * s.decelerate;
 }
 
-void adam_step(Model& m, Model& gradient, Model& first, Model& second, double rate, int step) {
-  const double c1 = 1.0 - std::pow(0.9, step), c2 = 1.0 - std::pow(0.999, step);
-  Model::each(m, gradient, first, second, [&](auto&& w, auto&& g, auto&& a, auto&& b) {
-    g += kDecay * w;
-    a = 0.9 * a + 0.1 * g;
-    b = 0.999 * b + 0.001 * g.cwiseAbs2();
-    w -= (rate * (a / c1).array() / ((b / c2).array().sqrt() + 1e-8)).matrix();
-  });
-}
-
 Model start_of(const CalibrationWeights& w, const Scale& scale, Random& random) {
   Model m;
   const TurnVec turn = vector_of(w.turn);
@@ -147,20 +135,18 @@ CalibrationWeights fit_hidden(const std::vector<Window>& windows, const Calibrat
   Random random(7);
   const Scale scale = scale_of(windows);
   const std::vector<Sample> samples = samples_of(windows, scale);
-  Model model = start_of(start, scale, random), first, second;
-  std::vector<std::size_t> order(samples.size());
-  std::iota(order.begin(), order.end(), 0);
-  int step = 0;
+  Model model = start_of(start, scale, random);
+  Adam<Model> adam(kDecay);
+  Shuffled shuffled(samples.size(), random);
   for (int epoch = 0; epoch < kEpochs; ++epoch) {
-    for (std::size_t i = order.size(); i > 1; --i)
-      std::swap(order[i - 1], order[random.next() % i]);
+    const std::vector<std::size_t>& order = shuffled.next();
     const double rate = kRate * (1.0 - double(epoch) / kEpochs);
     for (std::size_t from = 0; from < order.size(); from += kBatch) {
       const std::size_t to = std::min(order.size(), from + kBatch);
       Model gradient;
       for (std::size_t i = from; i < to; ++i)
         add_gradient(model, samples[order[i]], 1.0 / double(to - from), gradient);
-      adam_step(model, gradient, first, second, rate, ++step);
+      adam.step(model, gradient, rate);
     }
   }
   return weights_of(model, scale);
