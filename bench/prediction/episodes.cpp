@@ -25,7 +25,8 @@ class Tracker {
     slow_m_ = slow_sigma_m_ * Vec2(random_.normal(), random_.normal());
   }
 
-  TargetState see(double stamp_s, const Vec2& position_m, double body_yaw_rad) {
+  /// Takes a measurement, and says what is believed of the time when it comes.
+  TargetState see(double stamp_s, const Vec2& position_m, double body_yaw_rad, double now_s) {
     const double keep = std::exp(-kTruthStep_s * kTruthPerEstimate / kSlow_s);
     slow_m_ = keep * slow_m_ + std::sqrt(1.0 - keep * keep) * slow_sigma_m_ *
                                    Vec2(random_.normal(), random_.normal());
@@ -37,23 +38,23 @@ class Tracker {
     m.yaw_rad = wrap_angle(body_yaw_rad + random_.normal(0.0, params_.yaw_noise_rad));
     m.yaw_variance_rad2 = params_.yaw_noise_rad * params_.yaw_noise_rad;
     estimate_ = advance(estimate_, m, params_);
-    return state();
+    return state(predict_estimate(estimate_, now_s, params_));
   }
 
  private:
   static constexpr double kSlow_s = 0.5;
   static constexpr double kWhite_m = 0.03;
 
-  TargetState state() const {
+  static TargetState state(const TargetEstimate& estimate) {
     TargetState s;
-    s.stamp_s = estimate_.stamp_s;
+    s.stamp_s = estimate.stamp_s;
     s.status = TrackStatus::kTracking;
-    s.position_enu_m = estimate_.mean.head<3>();
-    s.velocity_enu_m_s = estimate_.mean.tail<3>();
-    s.covariance = estimate_.covariance;
-    s.body_yaw_rad = estimate_.yaw_rad;
-    s.body_yaw_variance_rad2 = estimate_.yaw_variance_rad2;
-    s.last_measurement_s = estimate_.accepted_s;
+    s.position_enu_m = estimate.mean.head<3>();
+    s.velocity_enu_m_s = estimate.mean.tail<3>();
+    s.covariance = estimate.covariance;
+    s.body_yaw_rad = estimate.yaw_rad;
+    s.body_yaw_variance_rad2 = estimate.yaw_variance_rad2;
+    s.last_measurement_s = estimate.accepted_s;
     return s;
   }
 
@@ -80,9 +81,15 @@ Passages place_of(const SimulatedWalk& walk) {
   return place;
 }
 
+// Nobody knows a stranger's: 0.3 s, more or less.
+double shoulder_lead_s(Random& random) {
+  return random.uniform(0.2, 0.4);
+}
+
 PersonParams person_params(const SimulatedWalk& walk, Random& random) {
   PersonParams params;
-  params.start_s = 0.0;
+  params.start_s = random.uniform(0.5, 3.0);
+  params.shoulder_lead_s = shoulder_lead_s(random);
   for (int i = 0; i < walk.stops; ++i)
     params.stops.push_back(
         {(i + random.uniform(0.3, 0.8)) * walk.duration_s / walk.stops, random.uniform(1.0, 3.0)});
@@ -96,16 +103,29 @@ std::string text_of_file(const std::string& path) {
   return text.str();
 }
 
+// Images come late, some cameras' more than others'.
+int steps_of_delay(std::uint64_t seed) {
+  constexpr double kLongest_s = 0.1;
+  Random random(seed + 99);
+  return static_cast<int>(std::lround(random.uniform(0.0, kLongest_s) / kTruthStep_s));
+}
+
 // Notes the person's walk and what a tracker sees of it.
 void walk_and_watch(Person person, std::uint64_t seed, double longest_s, Episode& episode) {
   Tracker tracker(seed);
   const int count = static_cast<int>(std::min(longest_s, person.walk.duration_s()) / kTruthStep_s);
+  const int late = steps_of_delay(seed);
+  std::vector<double> body_yaw_rad;
   for (int i = 0; i < count; ++i) {
     const PersonState& s = person.state;
-    const Vec2 position_m = s.position_enu_m.head<2>();
-    episode.truth.samples.push_back({position_m, s.velocity_enu_m_s.head<2>()});
-    if (i % kTruthPerEstimate == 0)
-      episode.estimates.push_back(tracker.see(i * kTruthStep_s, position_m, s.body_yaw_rad));
+    episode.truth.samples.push_back({s.position_enu_m.head<2>(), s.velocity_enu_m_s.head<2>()});
+    body_yaw_rad.push_back(s.body_yaw_rad);
+    if (i % kTruthPerEstimate == 0) {
+      const int seen = std::max(0, i - late);
+      episode.estimates.push_back(tracker.see(seen * kTruthStep_s,
+                                              episode.truth.samples[seen].position_m,
+                                              body_yaw_rad[seen], i * kTruthStep_s));
+    }
     advance(person, kTruthStep_s);
   }
 }
@@ -125,6 +145,8 @@ Episode replay(const Track& track, std::uint64_t seed) {
   episode.map = known_map(free_world(track), kMapResolution_m);
   PersonParams params;
   params.start_s = 0.0;
+  Random random(seed);
+  params.shoulder_lead_s = shoulder_lead_s(random);
   walk_and_watch(make_person(params, walk_through(track.points), 0.0), seed, 1e9, episode);
   return episode;
 }

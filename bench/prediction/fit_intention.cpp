@@ -7,12 +7,14 @@
 #include "bench/prediction/fit_hidden.hpp"
 #include "bench/prediction/fit_softmax.hpp"
 #include "bench/prediction/split.hpp"
+#include "bench/prediction/write_weights.hpp"
 
 namespace foretrack::bench {
 namespace {
 
 constexpr double kRidge = 1e-4;
-constexpr int kRecordedRounds = 12;  // there are few
+constexpr double kRidgeOfFew = 1e-3;  // where there are only recorded walks
+constexpr int kRecordedRounds = 12;   // there are few
 
 struct Fit {
   std::string name;
@@ -24,11 +26,11 @@ void append(std::vector<Window>& all, const std::vector<Window>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// The recorded turns are too few for hidden units.
+// The recorded turns are too few for hidden units, or for free weights.
 Fit fit(const std::string& name, const std::string& source, const std::vector<Window>& windows,
-        bool with_hidden_units) {
-  Fit result{name, {}, fit_softmax(windows, kRidge)};
-  if (with_hidden_units) result.weights = fit_hidden(windows, result.weights);
+        bool are_few) {
+  Fit result{name, {}, fit_softmax(windows, are_few ? kRidgeOfFew : kRidge)};
+  if (!are_few) result.weights = fit_hidden(windows, result.weights);
   std::array<int, kIntentionCount> counts{};
   for (const Window& w : windows) ++counts[index_of(w.label)];
   char text[300];
@@ -41,33 +43,13 @@ Fit fit(const std::string& name, const std::string& source, const std::vector<Wi
   return result;
 }
 
-template <std::size_t N>
-void write_numbers(std::ostream& out, const std::array<double, N>& values) {
-  out << "{";
-  for (std::size_t i = 0; i < N; ++i) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.4g", values[i]);
-    out << (i ? ", " : "") << text;
-  }
-  out << "}";
-}
-
-template <std::size_t N>
-void write_row(std::ostream& out, const char* field, const std::array<double, N>& values) {
-  out << "    ." << field << " = ";
-  write_numbers(out, values);
-  out << ",\n";
-}
-
 void write_source(std::ostream& out, const std::vector<Fit>& fits) {
   out << "// Written by bench/prediction/fit_intention; do not edit.\n"
          "#include \"core/prediction/calibrate.hpp\"\n\nnamespace foretrack {\nnamespace {\n\n";
   for (const Fit& f : fits) {
     out << "// Fitted on " << f.fitted_on << ".\nconstexpr CalibrationWeights " << f.name << "{\n";
     write_row(out, "turn", f.weights.turn);
-    out << "    .hidden = {{";
-    for (const auto& unit : f.weights.hidden) write_numbers(out, unit), out << ",\n";
-    out << "}},\n";
+    write_rows(out, "hidden", f.weights.hidden);
     write_row(out, "hidden_bias", f.weights.hidden_bias);
     write_row(out, "hidden_gain", f.weights.hidden_gain);
     write_row(out, "decelerate", f.weights.decelerate);
@@ -99,10 +81,10 @@ int run(const std::string& tracks, const std::string& out_path) {
     return 1;
   }
   const std::vector<Fit> fits = {
-      fit("kMapAndBody", "simulated walks and UCY zara01 pedestrians", map_and_body, true),
-      fit("kMapOnly", "the same, yaw hidden", map_only, true),
-      fit("kBodyOnly", "the same, map hidden", body_only, true),
-      fit("kTrackOnly", "UCY zara01 pedestrians, map and yaw hidden", track_only, false)};
+      fit("kMapAndBody", "simulated walks and UCY zara01 pedestrians", map_and_body, false),
+      fit("kMapOnly", "the same, yaw hidden", map_only, false),
+      fit("kBodyOnly", "the same, map hidden", body_only, false),
+      fit("kTrackOnly", "UCY zara01 pedestrians, map and yaw hidden", track_only, true)};
   std::ofstream out(out_path);
   write_source(out, fits);
   return out ? 0 : 1;

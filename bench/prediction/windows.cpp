@@ -25,10 +25,10 @@ std::vector<Window> windows_of(const Episode& episode, const PredictionParams& p
   constexpr int kEvery = 3;
   const GridMap& map = episode.map;
   std::vector<Window> windows;
-  MotionHistory history;
+  MotionMemory memory;
   for (int k = 0; k < static_cast<int>(episode.estimates.size()); ++k) {
     const TargetState& target = episode.estimates[k];
-    const MotionCues motion = observe_motion(history, target, params);
+    const MotionCues motion = observe_motion(memory, target, params);
     if (k % kEvery != 0) continue;
     const auto label = label_of(episode.truth, k * kTruthPerEstimate, target);
     if (!label) continue;

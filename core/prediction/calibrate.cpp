@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "core/prediction/dot.hpp"
+
 namespace foretrack {
 namespace {
-
-template <std::size_t N>
-double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 double turn_logit(const CalibrationWeights& w, const CalibrationWeights::TurnRow& features) {
   double logit = dot(w.turn, features);

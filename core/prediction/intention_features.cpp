@@ -61,10 +61,10 @@ void add_motion(TurnWriter& out, const Side& side, const MotionCues& motion) {
     out.add(side.sign * std::clamp(swing_rad, -1.2, 1.2));
   const double begun = positive(side.sign * motion.body_swing_rad[MotionCues::kTellingSwing]);
   out.add(std::min(begun * begun, 1.5));
-  // How far the chest has left the course of the walk, and how sure that course is.
+  // How far the chest has left the course, and how much of a turn shows already.
   const double left_rad = side.sign * std::clamp(motion.body_turn_rad, -1.2, 1.2);
   out.add(left_rad);
-  out.add(left_rad * (1.0 - motion.manoeuvre));
+  out.add(side.sign * std::clamp(motion.soon_turn_rad, -1.2, 1.2));
   out.add(motion.manoeuvre);
   out.add(std::clamp(motion.recent_fall_m_s[0], -1.0, 1.0));
   out.add(motion.log_turns_per_s);
@@ -127,7 +127,7 @@ void write_decelerate(const MotionCues& motion, const Surroundings& surroundings
   out.add(5.0 * straight * positive(lost));
   out.add(5.0 * straight * square(positive(lost)));
   out.add(std::min(swing, 1.5));
-  out.add(motion.manoeuvre);
+  out.add(std::clamp(motion.soon_fall_m_s, -1.0, 1.0));
   if (!map_known) return;
   const double obstacle_s = time_to_obstacle_s(motion, surroundings);
   out.add(std::clamp(assessment[Intention::kDecelerate].potential, 0.0, 3.0));

@@ -14,11 +14,6 @@ struct PredictionParams {
   bool intention_paths = true;   // a path for each intention; else constant velocity unless blocked
   bool around_obstacles = true;  // else one straight path, whatever stands in its way
   double path_probability_min = 0.05;
-  // Steady walk
-  double steady_memory_s = 1.5;
-  double manoeuvre_m_s = 1.4;
-  double manoeuvre_swing_rad = 0.45;
-  double steady_swing_rad = 0.13;
   // Reachable region
   double region_horizon_s = 1.0;
   double region_min_radius_m = 1.0;
@@ -45,13 +40,6 @@ struct PredictionParams {
   double min_turn_way_m = 0.8;
   double deceleration_m_s2 = 2.0;
   double target_radius_m = 0.3;
-  double acceleration_interval_s = 0.2;
-  double velocity_noise_m_s = 0.4;
-  double acceleration_goes_on_s = 0.12;
-  double braking_keeps = 0.3;
-  double shoulder_lead_s = 0.3;
-  double chest_share = 0.5;
-  double turn_acceleration_m_s2 = 3.0;
   // Search
   int max_expansions = 150;
   double max_cost = 20.0;

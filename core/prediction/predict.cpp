@@ -22,7 +22,7 @@ const PredictionResult& predict(PredictionState& state, const TargetState& targe
     clear_prediction(state, target.stamp_s, PredictionStatus::kNoTarget);
     return result;
   }
-  const MotionCues motion = observe_motion(state.history, target, params);
+  const MotionCues motion = observe_motion(state.memory, target, params);
   const Surroundings surroundings = observe_surroundings(map, motion, params);  // §III.B
   assess_intention(motion, surroundings, params, result.intention);             // §III.C
   calibrate(motion, surroundings, !map.empty(), result.intention);

@@ -17,7 +17,7 @@ struct PredictionResult {
 
 /// One for each target, owned by the caller: what the target did, and all workspaces.
 struct PredictionState {
-  MotionHistory history;
+  MotionMemory memory;
   SearchWorkspace search;
   PredictionResult result;
   std::vector<std::vector<PredictedState>> spare_paths;
@@ -25,8 +25,8 @@ struct PredictionState {
 
 /// Assesses the intentions and predicts one path for each that is possible here and not too
 /// unlikely (path_probability_min); the path probabilities are those of the intentions, normalised
-/// over the paths. Who goes on is predicted from the smoothed walk, who turns or stops from what is
-/// measured. The result is valid until the next call. Without a usable target: kNoTarget and no
+/// over the paths. All paths begin with what the last moments tell of the next (ShortTermMotion).
+/// The result is valid until the next call. Without a usable target: kNoTarget and no
 /// path. Allocates nothing after the first calls. Cost: about 0.03 ms. Source: Ren et al. 2024,
 /// §III.B, §III.C, §IV; the probabilities and one path per intention are ours.
 const PredictionResult& predict(PredictionState& state, const TargetState& target,

@@ -77,44 +77,11 @@ class PathWriter {
   Mat4 covariance_;
 };
 
-// Who brakes or bends will soon be slower, or on another course, than now.
-PlanarState soon(PlanarState now, const Vec2& acceleration_m_s2, const PredictionParams& params) {
-  const Vec2 later_m_s = now.velocity_m_s + params.acceleration_goes_on_s * acceleration_m_s2;
-  const bool goes_on = later_m_s.dot(now.velocity_m_s) > 0.0;
-  now.velocity_m_s = goes_on ? later_m_s : Vec2(params.braking_keeps * now.velocity_m_s);
-  return now;
-}
-
-// Who will walk where the chest points in a moment cannot be faster now than what the acceleration
-// until then can turn: shoulders tell of braking before a filter has noticed it.
-PlanarState slowed_to_turn(PlanarState now, double body_turn_rad, const PredictionParams& params) {
-  const double sine = std::sin(std::clamp(body_turn_rad, 0.0, 0.5 * kPi));
-  const double most_m_s = params.shoulder_lead_s * params.turn_acceleration_m_s2;
-  const double across_m_s = now.velocity_m_s.norm() * sine;
-  if (most_m_s > 0.0 && across_m_s > most_m_s) now.velocity_m_s *= most_m_s / across_m_s;
-  return now;
-}
-
-// Who goes on will walk where the chest points, since it turns ahead of the path; only a share of
-// it counts, because a chest is noisy and carried at an angle. One that points backwards is of
-// somebody who walks backwards.
-PlanarState bent_to_chest(PlanarState now, double body_turn_rad, const PredictionParams& params) {
-  const double bend_rad = params.chest_share * std::asin(std::sin(body_turn_rad));
-  now.velocity_m_s = Eigen::Rotation2Dd(bend_rad) * now.velocity_m_s;
-  return now;
-}
-
-// How a path begins. Smoothing would lag where the target does not just go on; where it does,
-// acceleration is noise.
-PlanarState start_of(Intention intention, const MotionCues& motion,
-                     const PredictionParams& params) {
-  if (intention == Intention::kForward)
-    return params.intention_paths ? bent_to_chest(motion.state, motion.body_turn_rad, params)
-                                  : motion.state;
-  const PlanarState start = soon(motion.measured, motion.acceleration_m_s2, params);
-  if (!is_turn(intention)) return start;
-  const double side = intention == Intention::kTurnLeft ? 1.0 : -1.0;
-  return slowed_to_turn(start, side * motion.body_turn_rad, params);
+// From here, constant velocity leads where the target will soon be, at the velocity that it will
+// have then: all paths begin with what shows already.
+PlanarState start_of(const MotionCues& motion) {
+  return {motion.soon.position_m - ShortTermMotion::kSoon_s * motion.soon.velocity_m_s,
+          motion.soon.velocity_m_s};
 }
 
 void add_blocked_path(PredictionState& state, const PathStart& start,
@@ -185,7 +152,8 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
                    const GridMap& map, const PredictionParams& params) {
   clear_prediction(state, target.stamp_s, PredictionStatus::kOk);
   Prediction& prediction = state.result.prediction;
-  PathStart start{motion.state, motion.height_m, planar_covariance(target)};
+  PathStart start{params.intention_paths ? start_of(motion) : motion.state, motion.height_m,
+                  planar_covariance(target)};
   if (!params.around_obstacles) return add_straight_path(state, start, params);
   const Vec2& place_m = motion.state.position_m;
   if (map.is_occupied({place_m.x(), place_m.y(), motion.height_m}))
@@ -195,7 +163,6 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
     if (is_turn(intention) && !motion.walking) continue;  // who stands has no path to bend
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
-    start.state = start_of(intention, motion, params);
     const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
     if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;

@@ -14,8 +14,8 @@ using namespace foretrack::testing;
 
 IntentionAssessment assess(const TargetState& target, const GridMap& map) {
   const PredictionParams params;
-  MotionHistory history;
-  const MotionCues motion = observe_motion(history, target, params);
+  MotionMemory memory;
+  const MotionCues motion = observe_motion(memory, target, params);
   const Surroundings surroundings = observe_surroundings(map, motion, params);
   IntentionAssessment assessment;
   assess_intention(motion, surroundings, params, assessment);

