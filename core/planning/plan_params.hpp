@@ -32,14 +32,14 @@ struct PlaceParams {
   double distance_high_m = 2.5;        // d_u
   double reserve_low_m = 0.3;          // kept beyond d_l, for what the vehicle needs to react
   double reserve_high_m = 0.3;         // kept short of d_u, for what it needs to catch up
-  double distance_extra_m = 0.6;       // d_ε
+  double distance_extra_m = 0.3;       // d_ε
   double ring_tolerance_m = 0.2;       // of the wanted distance, the middle of the band
   double margin_min_rad = 0.12;        // θ_0
   double margin_extra_rad = 0.4;       // θ_ε
   double margin_share_max = 0.7;       // margins take at most this part of a visible region
   double height_above_target_m = 0.1;  // wanted
   double height_search_m = 0.6;        // other levels, this far up and down, when that is not free
-  double search_clearance_m = 0.1;     // of the path, beyond the vehicle's radius
+  double search_clearance_m = 0.02;    // of the path, beyond the vehicle's radius
   int search_expansions_max = 2000;    // of all searches of one plan
   int sector_steps = 24;               // rays in a quarter turn
   double corridor_clearance_m = 0.03;  // of the corridor, beyond the radius, where there is room
