@@ -38,25 +38,14 @@ class Tracker {
     m.yaw_rad = wrap_angle(body_yaw_rad + random_.normal(0.0, params_.yaw_noise_rad));
     m.yaw_variance_rad2 = params_.yaw_noise_rad * params_.yaw_noise_rad;
     estimate_ = advance(estimate_, m, params_);
-    return state(predict_estimate(estimate_, now_s, params_));
+    TargetState state = target_state(predict_estimate(estimate_, now_s, params_));
+    state.status = TrackStatus::kTracking;
+    return state;
   }
 
  private:
   static constexpr double kSlow_s = 0.5;
   static constexpr double kWhite_m = 0.03;
-
-  static TargetState state(const TargetEstimate& estimate) {
-    TargetState s;
-    s.stamp_s = estimate.stamp_s;
-    s.status = TrackStatus::kTracking;
-    s.position_enu_m = estimate.mean.head<3>();
-    s.velocity_enu_m_s = estimate.mean.tail<3>();
-    s.covariance = estimate.covariance;
-    s.body_yaw_rad = estimate.yaw_rad;
-    s.body_yaw_variance_rad2 = estimate.yaw_variance_rad2;
-    s.last_measurement_s = estimate.accepted_s;
-    return s;
-  }
 
   PerceptionParams params_;
   Random random_;

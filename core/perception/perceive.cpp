@@ -180,15 +180,8 @@ TargetState coast(const PerceptionState& state, double now_s, const PerceptionPa
   target.stamp_s = now_s;
   if (state.count == 0) return target;
   const TargetEstimate& newest = state.entries[state.count - 1].estimate;
-  const TargetEstimate e = predict_estimate(newest, std::max(now_s, newest.stamp_s), params);
-  target.stamp_s = e.stamp_s;
+  target = target_state(predict_estimate(newest, std::max(now_s, newest.stamp_s), params));
   target.status = track_status(state, now_s, params);
-  target.position_enu_m = e.mean.head<3>();
-  target.velocity_enu_m_s = e.mean.tail<3>();
-  target.covariance = e.covariance;
-  target.body_yaw_rad = e.yaw_rad;
-  target.body_yaw_variance_rad2 = e.yaw_variance_rad2;
-  target.last_measurement_s = e.accepted_s;
   return target;
 }
 

@@ -120,4 +120,16 @@ TargetEstimate advance(const TargetEstimate& estimate, const TorsoMeasurement& m
   return e.gated_in_a_row >= enough ? started(m, params) : e;
 }
 
+TargetState target_state(const TargetEstimate& estimate) {
+  TargetState target;
+  target.stamp_s = estimate.stamp_s;
+  target.position_enu_m = estimate.mean.head<3>();
+  target.velocity_enu_m_s = estimate.mean.tail<3>();
+  target.covariance = estimate.covariance;
+  target.body_yaw_rad = estimate.yaw_rad;
+  target.body_yaw_variance_rad2 = estimate.yaw_variance_rad2;
+  target.last_measurement_s = estimate.accepted_s;
+  return target;
+}
+
 }  // namespace foretrack

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/common/geometry.hpp"
+#include "core/common/target.hpp"
 #include "core/perception/params.hpp"
 
 namespace foretrack {
@@ -49,5 +50,8 @@ TargetEstimate predict_estimate(const TargetEstimate& estimate, double stamp_s,
 /// several agreeing measurements that the gate refused; more of them where they are doubtful.
 TargetEstimate advance(const TargetEstimate& estimate, const TorsoMeasurement& measurement,
                        const PerceptionParams& params);
+
+/// As the other stages read it; the status is left to the caller.
+TargetState target_state(const TargetEstimate& estimate);
 
 }  // namespace foretrack
