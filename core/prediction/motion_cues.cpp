@@ -1,5 +1,6 @@
 #include "core/prediction/motion_cues.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace foretrack {
@@ -35,7 +36,7 @@ void read_body_swing(const MotionHistory& h, const TargetState& target, MotionCu
   }
 }
 
-// Of the velocity as it was measured: a smoothed one would tell late.
+// Of the velocity as it was measured.
 void read_changes(const MotionHistory& h, const Vec2& velocity, double stamp_s,
                   const PredictionParams& params, MotionCues& cues) {
   const auto& before = h.before(stamp_s, params.speed_fall_interval_s);

@@ -8,8 +8,9 @@
 namespace foretrack {
 namespace {
 
+// Part of what was fitted, and no parameters therefore.
 constexpr double kWalkingSpeed_m_s = 0.2;  // below it, a velocity has no heading
-constexpr double kLatest_s = 0.1;          // the oldest measurements that were fitted on
+constexpr double kLatest_s = 0.1;          // age of the oldest measurements
 
 // Nobody is so far from what a filter believes: past it, the network knows nothing.
 constexpr double kMost_m = 0.5, kMost_m_s = 2.0;
