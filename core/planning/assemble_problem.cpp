@@ -89,6 +89,10 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
     // A place that is nearer to obstacles than allowed may be left, but not nearer to them.
     const Vec3 &from = path.vertices[i], &to = path.vertices[i + 1];
     params.vehicle_radius_m = std::min(allowed_m(from), allowed_m(to));
+    if (decompose_segment(context.map, from, to, params, workspace, corridor[i])) continue;
+    // Between its ends the way may be narrower: what the check asks for is enough.
+    params.vehicle_radius_m =
+        std::min(params.vehicle_radius_m, context.params.check.vehicle_radius_m);
     clear &= decompose_segment(context.map, from, to, params, workspace, corridor[i]);
   }
   return clear;

@@ -8,6 +8,7 @@ namespace {
 // A cell's distance runs from its centre; a point of the cell is at most 0.87 cells from it.
 constexpr double kSlackCells = 0.9;
 constexpr double kStepCells = 0.5;
+constexpr double kInside_m = 1e-6;
 constexpr int kOutside = -1;
 
 // A segment in cells, so that a lookup is a multiplication and a cast.
@@ -31,6 +32,19 @@ struct Ray {
     if (!inside) return kOutside;
     return distance_cm[map.offset_of(
         {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)})];
+  }
+
+  // From there on (sign 1) or back (-1) until the ray is in the next cell.
+  double to_next_cell_m(double at_m, double sign) const {
+    double least_m = length_m;
+    for (int a = 0; a < 3; ++a) {
+      const double speed = sign * direction[a];
+      if (std::abs(speed) < 1e-9) continue;
+      const double c = origin[a] + at_m * direction[a];
+      least_m =
+          std::min(least_m, (speed > 0.0 ? std::floor(c) + 1.0 - c : std::floor(c) - c) / speed);
+    }
+    return std::max(least_m, 0.0) + kInside_m;
   }
 
   const GridMap& map;
@@ -62,16 +76,15 @@ bool sees(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, doub
 bool is_clear(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, double required_m) {
   const Ray ray(map, map.unfree_distance_cm, from_enu_m, to_enu_m);
   const double slack_m = 2.0 * kSlackCells * map.resolution_m;  // of this cell and the one there
-  const double step_m = kStepCells * map.resolution_m;
   double low_m = 0.0, high_m = ray.length_m;
   while (low_m <= high_m) {
     const double high = 0.01 * ray.at(high_m);
     if (high < required_m) return false;
-    high_m -= std::max(high - required_m - slack_m, step_m);
+    high_m -= std::max(high - required_m - slack_m, ray.to_next_cell_m(high_m, -1.0));
     if (low_m > high_m) break;
     const double low = 0.01 * ray.at(low_m);
     if (low < required_m) return false;
-    low_m += std::max(low - required_m - slack_m, step_m);
+    low_m += std::max(low - required_m - slack_m, ray.to_next_cell_m(low_m, 1.0));
   }
   return true;
 }

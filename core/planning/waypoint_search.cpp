@@ -112,8 +112,22 @@ class RingSearch {
     for (std::size_t m = 0; m < kMoves.size(); ++m) {
       const int nx = x + kMoves[m][0], ny = y + kMoves[m][1];
       if (nx < 0 || ny < 0 || nx >= kWindow || ny >= kWindow) continue;
-      relax(from, ny * kWindow + nx, map_.resolution_m * (m < 4 ? 1.0 : 1.41421356));
+      // Between two corners that touch the diagonal, a corridor has no width.
+      const bool diagonal = m >= 4;
+      if (diagonal && !(may_enter(from, y * kWindow + nx) && may_enter(from, ny * kWindow + x)))
+        continue;
+      relax(from, ny * kWindow + nx, map_.resolution_m * (diagonal ? 1.41421356 : 1.0));
     }
+  }
+
+  std::uint8_t clearance_of(int node) const {
+    const SearchState::Node& known = s_.nodes[node];
+    return known.search == s_.search ? known.clearance_cm
+                                     : clearance_cm(surface_.at(center_of(node)));
+  }
+  // Once free, stay free; before that, do not come nearer.
+  bool may_enter(int from, int to) const {
+    return clearance_of(to) >= std::min<int>(required_cm_, s_.nodes[from].clearance_cm);
   }
 
   void relax(int from, int to, double length_m) {
@@ -121,10 +135,9 @@ class RingSearch {
     const SearchState::Node& known = s_.nodes[to];
     const bool seen = known.search == s_.search;
     if (seen && known.closed) return;
+    if (!may_enter(from, to)) return;
     const Vec2 xy = center_of(to);
-    const std::uint8_t clearance = seen ? known.clearance_cm : clearance_cm(surface_.at(xy));
-    // Once free, stay free; before that, do not come nearer.
-    if (clearance < std::min<int>(required_cm_, parent.clearance_cm)) return;
+    const std::uint8_t clearance = clearance_of(to);
     const double cost_m = parent.cost_m + length_m * cost_factor(xy, clearance);
     if (seen && cost_m >= known.cost_m) return;
     open_node(to, from, static_cast<float>(cost_m), clearance, to_ring_m(xy));

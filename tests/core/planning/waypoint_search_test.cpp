@@ -100,6 +100,23 @@ TEST_F(WaypointSearch, EndsWhereTheTargetIsSeenAtTheWantedDistanceOnAFreeWayThat
   EXPECT_LE(grazing, found / 10);  // corners that are cut by less than half a cell
 }
 
+TEST_F(WaypointSearch, DoesNotSqueezeBetweenCornersThatTouch) {
+  int diagonals = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const FlatContext c(known_map(forest(seed, 50), 0.15), kHeight_m);
+    Random random(seed + 200);
+    search(c, {0.0, 0.0, kHeight_m}, {random.uniform(-6.0, 6.0), random.uniform(-6.0, 6.0), 1.0});
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const Vec3 &from = path_[i - 1], &to = path_[i];
+      diagonals += from.x() != to.x() && from.y() != to.y();
+      for (const Vec3& side :
+           {Vec3(from.x(), to.y(), kHeight_m), Vec3(to.x(), from.y(), kHeight_m)})
+        EXPECT_GE(c.map.unfree_distance_m(side), c.params.path_clearance_m() - 1e-9);
+    }
+  }
+  EXPECT_GT(diagonals, 100);
+}
+
 TEST_F(WaypointSearch, StaysWhereItIsIfThatIsAGoodPlace) {
   const FlatContext c(known_map(empty_world(), 0.15), kHeight_m);
   EXPECT_EQ(search(c, {0.0, 0.0, kHeight_m}, {2.1, 0.0, 1.0}), WaypointKind::kSees);
@@ -186,8 +203,8 @@ TEST(MapRays, ClearMeansThatEveryPointKeepsTheDistance) {
         a + Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-0.5, 0.5));
     if (!is_clear(map, a, b, 0.4)) continue;
     ++clear;
-    for (double part = 0.0; part <= 1.0; part += 0.01)
-      ASSERT_GE(map.unfree_distance_m(a + part * (b - a)), 0.4 - 0.5 * map.resolution_m);
+    for (double part = 0.0; part <= 1.0; part += 0.002)
+      ASSERT_GE(map.unfree_distance_m(a + part * (b - a)), 0.4);
   }
   EXPECT_GT(clear, 100);
 }
