@@ -40,7 +40,7 @@ class Replan {
   const PlanResult& run() {
     if (!is_finite(in_) || in_.map == nullptr || in_.map->empty()) return refuse();
     if (in_.now_s - in_.vehicle.stamp_s > params_.horizon.vehicle_stale_s) return refuse();
-    start_ = choose_start(flown().trajectory, in_.vehicle, in_.now_s, params_);
+    start_ = from_ = choose_start(flown().trajectory, in_.vehicle, in_.now_s, params_);
     const PlanReason reason = follow();
     return reason == PlanReason::kOk ? publish() : fall_back(reason);
   }
@@ -56,24 +56,41 @@ class Replan {
       if (too_fast()) return brake();
       search_slowly();
     }
-    align(s_.belief, start_.time_s, params_.horizon, s_.expected);
+    const PlanReason reason = lead_on();
+    if (reason == PlanReason::kOk || !start_.on_flown) return reason;
+    brake_first();
+    return lead_on() == PlanReason::kOk ? PlanReason::kOk : reason;
+  }
+
+  // A way from there to places that see the target, and the flight along it.
+  PlanReason lead_on() {
+    align(s_.belief, from_.time_s, params_.horizon, s_.expected);
     const Vec3& z_1 = s_.expected.paths[0].positions_enu_m.front();
     const FlightSurface surface =
-        choose_flight_surface(*in_.map, start_.state.position, z_1, params_);
+        choose_flight_surface(*in_.map, from_.state.position, z_1, params_);
     const SearchContext context = search_context(surface);
-    look_ahead(context, start_.state.position, start_.state.velocity, s_.expected, in_.intention,
+    look_ahead(context, from_.state.position, from_.state.velocity, s_.expected, in_.intention,
                clock_, s_.ahead);
-    make_flight_path(context, s_.ahead.way, start_.state.velocity.norm(), s_.path_workspace,
+    make_flight_path(context, s_.ahead.way, from_.state.velocity.norm(), s_.path_workspace,
                      s_.path);
     clock_.lap(PlanStage::kPath);
     const bool clear = build_corridor(context, s_.path, s_.corridor, s_.problem.corridor);
-    guess_trajectory(context, s_.path, start_, s_.expected, s_.problem);
-    make_samples(context, s_.expected, s_.ahead, s_.path_workspace, start_.state,
-                 score_decelerate(), s_.problem.samples);
+    guess_trajectory(context, s_.path, from_, s_.expected, s_.problem);
+    make_samples(context, s_.expected, s_.ahead, s_.path_workspace, from_.state, score_decelerate(),
+                 s_.problem.samples);
+    if (braking_) align(s_.belief, start_.time_s, params_.horizon, s_.expected);
     clock_.lap(PlanStage::kCorridor);
     // A corridor that only touches an obstacle may still hold a way: the check decides.
     const PlanReason reason = optimize();
     return reason != PlanReason::kOk && !clear ? PlanReason::kEmptyCorridor : reason;
+  }
+
+  // The motion so far may leave no room to turn into the way: then it comes to rest before.
+  void brake_first() {
+    stop_ = make_stop_tail(start_.state, params_.limits).piece;
+    braking_ = true;
+    from_.time_s = start_.time_s + stop_.duration_s;
+    from_.state = {stop_.position(stop_.duration_s), Vec3::Zero(), Vec3::Zero()};
   }
 
   // The second attempt is slower and firmer; the third hardly cares for sight and distance. The
@@ -172,7 +189,9 @@ class Replan {
     clock_.lap(PlanStage::kOptimization);
     if (optimum.status == OptimizationStatus::kNotFinite) return PlanReason::kNotConverged;
     PlannedTrajectory& trajectory = next().trajectory;
-    trajectory.pieces.assign(optimum.pieces.begin(), optimum.pieces.end());
+    trajectory.pieces.clear();
+    if (braking_) trajectory.pieces.push_back(stop_);
+    trajectory.pieces.insert(trajectory.pieces.end(), optimum.pieces.begin(), optimum.pieces.end());
     append_tail(trajectory);
     if (lost() && in_.now_s - s_.lost_since_s > params_.view.search_look_s)
       sweep_camera(start_, s_.search_turn, params_, s_.aim, trajectory);
@@ -205,7 +224,6 @@ class Replan {
   void be_careful() {
     for (double& duration_s : s_.problem.durations_s) duration_s *= kRetrySlowdown;
     s_.problem.goal.velocity.setZero();
-    s_.problem.start = start_.state;
   }
 
   const PlanResult& publish() {
@@ -214,7 +232,7 @@ class Replan {
     t.stamp_s = lost() ? s_.belief.stamp_s : in_.target.stamp_s;
     t.status = lost() ? PlanStatus::kSearch : PlanStatus::kFresh;
     t.reason = lost() ? PlanReason::kTargetLost : next().diagnostics.check.reason;
-    fill_views(s_, params_.horizon.step_s, t);
+    fill_views(s_, from_.time_s - start_.time_s, params_.horizon.step_s, t);
     count_work(s_, clock_, next().diagnostics);
     s_.flown = 1 - s_.flown;
     return flown();
@@ -267,7 +285,10 @@ class Replan {
   const PlanInput& in_;
   PlanningParams params_;
   StageClock clock_;
-  PlanStart start_;
+  PlanStart start_;  // of the trajectory
+  PlanStart from_;   // of the way that is planned: the same, or where it has come to rest
+  bool braking_ = false;
+  QuinticPiece stop_;
 };
 
 }  // namespace

@@ -67,11 +67,12 @@ void reserve(PlanningState& state);
 
 /// One replan. The result lives in `state` until the next call but one.
 /// Fresh and searching trajectories passed the check; a fresh one with the reason kTooNearTarget
-/// all of it but the distance to the target, from which it keeps further than what was flown. When
-/// none is found, the last one and its stop tail fly on (kKept, kHold once it stands) as long as
-/// that is still safe in this map; else the vehicle brakes (kHold). kNone: there is no vehicle
-/// state to start from. Never throws; bad or stale inputs are reasons. Bounded by counts; allocates
-/// nothing after warm-up. Cost: below a millisecond.
+/// all of it but the distance to the target, from which it keeps further than what was flown. If
+/// the present motion leaves no room for one, it begins with a stop. When none is found, the last
+/// one and its stop tail fly on (kKept, kHold once it stands) as long as that is still safe in this
+/// map; else the vehicle brakes (kHold). kNone: there is no vehicle state to start from. Never
+/// throws; bad or stale inputs are reasons. Bounded by counts; allocates nothing after warm-up.
+/// Cost: below a millisecond.
 const PlanResult& plan(PlanningState& state, const PlanInput& input, const PlanningParams& params);
 
 }  // namespace foretrack

@@ -25,7 +25,7 @@ void reserve(PlanningState& s) {
   s.aim.pitches_rad.reserve(kAngleNodes);
   s.aim.angles.stages.reserve(kAngleNodes);
   for (PlanResult& result : s.results) {
-    result.trajectory.pieces.reserve(kMaxPieces + 1);
+    result.trajectory.pieces.reserve(kMaxPieces + 2);  // with a stop before and one after
     result.trajectory.yaw.nodes.reserve(kAngleNodes);
     result.trajectory.gimbal_pitch.nodes.reserve(kAngleNodes);
     result.trajectory.visible_regions.reserve(kSteps);

@@ -2,7 +2,7 @@
 
 namespace foretrack {
 
-void fill_views(PlanningState& s, double step_s, PlannedTrajectory& t) {
+void fill_views(PlanningState& s, double begin_s, double step_s, PlannedTrajectory& t) {
   resize_polytopes(s.corridor, t.corridor, s.problem.corridor.size());
   for (std::size_t i = 0; i < t.corridor.size(); ++i)
     t.corridor[i].planes.assign(s.problem.corridor[i].planes.begin(),
@@ -12,8 +12,8 @@ void fill_views(PlanningState& s, double step_s, PlannedTrajectory& t) {
   for (std::size_t k = 0; k < views.size(); ++k) {
     if (!views[k].seen) continue;
     VisibleRegion region;
-    region.time_s = step_s * static_cast<double>(k + 1);
-    region.target_enu_m = s.expected.paths[0].positions_enu_m[k];
+    region.time_s = begin_s + step_s * static_cast<double>(k + 1);
+    region.target_enu_m = s.expected.paths[0].position(region.time_s, step_s);
     region.bisector_rad = views[k].shrunk.bisector_rad;
     region.half_angle_rad = views[k].shrunk.half_angle_rad;
     region.waypoint_enu_m = s.ahead.way.points[s.ahead.way.arrival[k]];

@@ -6,8 +6,9 @@
 
 namespace foretrack {
 
-/// The corridor, and the visible region of each time step of the likeliest path.
-void fill_views(PlanningState& state, double step_s, PlannedTrajectory& trajectory);
+/// The corridor, and the visible region of each time step of the likeliest path, where those steps
+/// begin begin_s after the trajectory.
+void fill_views(PlanningState& state, double begin_s, double step_s, PlannedTrajectory& trajectory);
 
 /// Counts and times of the last replan.
 void count_work(const PlanningState& state, const StageClock& clock, PlanDiagnostics& diagnostics);
