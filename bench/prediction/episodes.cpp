@@ -178,6 +178,16 @@ std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds) {
   return walks;
 }
 
+std::vector<SimulatedWalk> stopping_walks(std::uint64_t first_seed, int rounds) {
+  std::vector<SimulatedWalk> walks;
+  std::uint64_t seed = first_seed;
+  for (int round = 0; round < rounds; ++round)
+    for (const double speed : {1.0, 1.5, 2.0})
+      for (const int stops : {3, 6, 10})
+        walks.push_back({false, WorldKind::kWalls, seed++, speed, stops});
+  return walks;
+}
+
 std::vector<RecordedWalk> recorded_walks(const std::string& path, int rounds) {
   constexpr double kFrames_hz = 25.0, kShortest_s = 3.0;
   const std::string text = text_of_file(path);

@@ -44,6 +44,9 @@ Episode simulate_walk(const SimulatedWalk& walk);
 /// seed on.
 std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds);
 
+/// Walks in open worlds with a sudden stop every few seconds, `rounds` times.
+std::vector<SimulatedWalk> stopping_walks(std::uint64_t first_seed, int rounds);
+
 /// Recorded pedestrians of a file in OpenTraj's format, on free ground; the chest, which was not
 /// recorded, turns ahead of the path as a simulated person's. Each is seen `rounds` times, with
 /// other noise. Empty if there is no such file.

@@ -43,16 +43,23 @@ Fit fit(const std::string& name, const std::string& source, const std::vector<Wi
   return result;
 }
 
+template <int kFeatures>
+void write_logit(std::ostream& out, const char* name, const LogitWeights<kFeatures>& w) {
+  out << "    ." << name << " = {\n";
+  write_row(out, "row", w.row);
+  write_rows(out, "hidden", w.hidden);
+  write_row(out, "hidden_bias", w.hidden_bias);
+  write_row(out, "hidden_gain", w.hidden_gain);
+  out << "    },\n";
+}
+
 void write_source(std::ostream& out, const std::vector<Fit>& fits) {
   out << "// Written by bench/prediction/fit_intention; do not edit.\n"
          "#include \"core/prediction/calibrate.hpp\"\n\nnamespace foretrack {\nnamespace {\n\n";
   for (const Fit& f : fits) {
     out << "// Fitted on " << f.fitted_on << ".\nconstexpr CalibrationWeights " << f.name << "{\n";
-    write_row(out, "turn", f.weights.turn);
-    write_rows(out, "hidden", f.weights.hidden);
-    write_row(out, "hidden_bias", f.weights.hidden_bias);
-    write_row(out, "hidden_gain", f.weights.hidden_gain);
-    write_row(out, "decelerate", f.weights.decelerate);
+    write_logit(out, "turn", f.weights.turn);
+    write_logit(out, "decelerate", f.weights.decelerate);
     out << "};\n\n";
   }
   out << "}  // namespace\n\n"
@@ -70,7 +77,8 @@ int run(const std::string& tracks, const std::string& out_path) {
     append(map_only, windows_of(without_body(episode), params));
     append(body_only, windows_of(without_map(episode), params));
   };
-  for (const SimulatedWalk& walk : fitting_walks()) add(simulate_walk(walk));
+  for (const SimulatedWalk& walk : fitting_turns()) add(simulate_walk(walk));
+  for (const SimulatedWalk& walk : fitting_stops()) add(simulate_walk(walk));
   for (const RecordedWalk& walk : recorded_walks(tracks, kRecordedRounds)) {
     if (is_held_out(walk)) continue;
     add(walk.episode);

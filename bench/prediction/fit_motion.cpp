@@ -66,7 +66,8 @@ int run(const std::string& tracks, const std::string& out_path) {
     add_samples(episode, with_body);
     add_samples(without_body(episode), track_only);
   };
-  for (const SimulatedWalk& walk : fitting_walks()) add(simulate_walk(walk));
+  for (const SimulatedWalk& walk : fitting_turns()) add(simulate_walk(walk));
+  for (const SimulatedWalk& walk : fitting_stops()) add(simulate_walk(walk));
   const std::size_t simulated = with_body.size();
   for (const RecordedWalk& walk : recorded_walks(tracks, kRecordedRounds))
     if (!is_held_out(walk)) add(walk.episode);

@@ -24,8 +24,8 @@ Inputs inputs_of(const IntentionFeatures& f) {
 
 CalibrationWeights weights_of(const VecN& w) {
   CalibrationWeights weights;
-  for (int i = 0; i < kTurn; ++i) weights.turn[i] = w[i];
-  for (int i = 0; i < kDecelerate; ++i) weights.decelerate[i] = w[kTurn + i];
+  for (int i = 0; i < kTurn; ++i) weights.turn.row[i] = w[i];
+  for (int i = 0; i < kDecelerate; ++i) weights.decelerate.row[i] = w[kTurn + i];
   return weights;
 }
 

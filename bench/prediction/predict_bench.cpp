@@ -21,6 +21,7 @@ using Json = nlohmann::json;
 struct Score {
   IntentionScorer intention;
   PathScorer paths;
+  PathScorer true_paths;  // from the state that an estimate can only near
   std::vector<double> times_us;
   std::array<int, 4> statuses{};
 };
@@ -40,8 +41,14 @@ void run_episode(const Episode& episode, Score& score) {
     score.times_us.push_back(took.count());
     ++score.statuses[static_cast<int>(result.prediction.status)];
     const double rate_rad_s = heading_rate.next(time_s, target.velocity_enu_m_s.head<2>());
-    if (k % kJudgedEvery == 0)
+    if (k % kJudgedEvery == 0) {
       score.paths.add(target, rate_rad_s, result.prediction, episode.truth, time_s);
+      const TruthSample& truth = episode.truth.samples[k * kTruthPerEstimate];
+      TargetState true_state = target;
+      true_state.position_enu_m.head<2>() = truth.position_m;
+      true_state.velocity_enu_m_s.head<2>() = truth.velocity_m_s;
+      score.true_paths.add(true_state, 0.0, result.prediction, episode.truth, time_s);
+    }
     said.push_back({time_s, {}});
     for (int i = 0; i < kIntentionCount; ++i)
       said.back().p[i] = result.intention.beliefs[i].probability;
@@ -49,15 +56,28 @@ void run_episode(const Episode& episode, Score& score) {
   score.intention.add(said, episode.truth);
 }
 
-void print_paths(PathWindows windows, const PathScorer& scorer) {
-  const PathTable table = scorer.means(windows);
+// What is printed and written: all kinds, and constant velocity had the state been known.
+using PathRows =
+    std::vector<std::pair<std::string, std::array<PathErrors, kPathHorizons_s.size()>>>;
+PathRows rows_of(const Score& score, PathWindows windows) {
+  PathRows rows;
+  const PathTable table = score.paths.means(windows);
+  for (std::size_t m = 0; m < table.size(); ++m) rows.emplace_back(kPathKindNames[m], table[m]);
+  rows.emplace_back(
+      "of the true state",
+      score.true_paths.means(windows)[static_cast<std::size_t>(PathKind::kConstantVelocity)]);
+  return rows;
+}
+
+void print_paths(PathWindows windows, const Score& score) {
+  const PathRows rows = rows_of(score, windows);
   std::printf(
       "\n%s windows (n = %d at 3 s): FDE [m] / ADE / brier-FDE / missed by 0.5 m / by 1 m\n",
-      kPathWindowNames[static_cast<std::size_t>(windows)].data(), table[0].back().count);
-  for (std::size_t m = 0; m < table.size(); ++m) {
-    std::printf("  %-19s", kPathKindNames[m].data());
+      kPathWindowNames[static_cast<std::size_t>(windows)].data(), rows[0].second.back().count);
+  for (const auto& [name, errors] : rows) {
+    std::printf("  %-19s", name.c_str());
     for (std::size_t h = 0; h < kPathHorizons_s.size(); ++h) {
-      const PathErrors& e = table[m][h];
+      const PathErrors& e = errors[h];
       std::printf(" | %.1f s: %.2f %.2f %.2f %2.0f%% %2.0f%%", kPathHorizons_s[h], e.fde_m, e.ade_m,
                   e.brier_fde_m, 100.0 * e.missed_half_m, 100.0 * e.missed_one_m);
     }
@@ -96,13 +116,12 @@ Json json_of(const std::vector<ReliabilityBin>& bins) {
   return rows;
 }
 
-Json json_of(const PathScorer& scorer, PathWindows windows) {
+Json json_of(const PathRows& paths) {
   Json rows = Json::array();
-  const PathTable table = scorer.means(windows);
-  for (std::size_t m = 0; m < table.size(); ++m)
+  for (const auto& [name, errors] : paths)
     for (std::size_t h = 0; h < kPathHorizons_s.size(); ++h) {
-      const PathErrors& e = table[m][h];
-      rows.push_back({{"path", kPathKindNames[m]},
+      const PathErrors& e = errors[h];
+      rows.push_back({{"path", name},
                       {"horizon_s", kPathHorizons_s[h]},
                       {"windows", e.count},
                       {"fde_m", e.fde_m},
@@ -145,9 +164,9 @@ Json report(const char* name, Score& score) {
   Json json = {{"intention", json_of(intention)}};
   for (const PathWindows windows :
        {PathWindows::kTurning, PathWindows::kStraight, PathWindows::kAll}) {
-    print_paths(windows, score.paths);
+    print_paths(windows, score);
     json[std::string(kPathWindowNames[static_cast<std::size_t>(windows)])] =
-        json_of(score.paths, windows);
+        json_of(rows_of(score, windows));
   }
   const double p50 = quantile(score.times_us, 0.5), p99 = quantile(score.times_us, 0.99);
   std::printf("\npredict(): %zu calls, P50 %.0f us, P99 %.0f us; ok %d, blocked %d, exhausted %d\n",
@@ -160,12 +179,15 @@ Json report(const char* name, Score& score) {
 
 int run(const std::string& tracks, const std::string& json_path, bool training) {
   Json out;
-  Score passages, open_worlds, recorded, with_body;
+  Score passages, open_worlds, sudden_stops, recorded, with_body;
   std::printf("%s\n", training ? "Training walks" : "Held-out walks");
-  for (const SimulatedWalk& walk : training ? fitting_walks() : held_out_walks())
+  for (const SimulatedWalk& walk : training ? fitting_turns() : held_out_turns())
     run_episode(simulate_walk(walk), walk.in_passages ? passages : open_worlds);
+  for (const SimulatedWalk& walk : training ? fitting_stops() : held_out_stops())
+    run_episode(simulate_walk(walk), sudden_stops);
   out["passages"] = report("Simulated passages", passages);
   out["open_worlds"] = report("Simulated open worlds", open_worlds);
+  out["sudden_stops"] = report("Open worlds with sudden stops", sudden_stops);
   for (const RecordedWalk& walk : recorded_walks(tracks, 3))
     if (is_held_out(walk) != training) {
       run_episode(without_map(without_body(walk.episode)), recorded);

@@ -5,11 +5,17 @@
 
 namespace foretrack::bench {
 
-inline std::vector<SimulatedWalk> fitting_walks() {
+inline std::vector<SimulatedWalk> fitting_turns() {
   return turning_walks(1, 8);
 }
-inline std::vector<SimulatedWalk> held_out_walks() {
+inline std::vector<SimulatedWalk> fitting_stops() {
+  return stopping_walks(50001, 2);
+}
+inline std::vector<SimulatedWalk> held_out_turns() {
   return turning_walks(100001, 4);
+}
+inline std::vector<SimulatedWalk> held_out_stops() {
+  return stopping_walks(150001, 3);
 }
 inline bool is_held_out(const RecordedWalk& walk) {
   return walk.pedestrian % 3 == 0;

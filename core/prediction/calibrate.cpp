@@ -7,9 +7,11 @@
 namespace foretrack {
 namespace {
 
-double turn_logit(const CalibrationWeights& w, const CalibrationWeights::TurnRow& features) {
-  double logit = dot(w.turn, features);
-  for (int j = 0; j < CalibrationWeights::kHidden; ++j)
+template <int kFeatures>
+double logit_of(const typename LogitWeights<kFeatures>::Row& features,
+                const LogitWeights<kFeatures>& w) {
+  double logit = dot(w.row, features);
+  for (int j = 0; j < w.kHidden; ++j)
     if (w.hidden_gain[j] != 0.0)
       logit += w.hidden_gain[j] * std::tanh(w.hidden_bias[j] + dot(w.hidden[j], features));
   return logit;
@@ -20,9 +22,9 @@ double turn_logit(const CalibrationWeights& w, const CalibrationWeights::TurnRow
 std::array<double, kIntentionCount> probabilities(const IntentionFeatures& f,
                                                   const CalibrationWeights& w) {
   std::array<double, kIntentionCount> p{};  // forward: logit 0
-  p[index_of(Intention::kTurnLeft)] = turn_logit(w, f.left);
-  p[index_of(Intention::kTurnRight)] = turn_logit(w, f.right);
-  p[index_of(Intention::kDecelerate)] = dot(w.decelerate, f.decelerate);
+  p[index_of(Intention::kTurnLeft)] = logit_of(f.left, w.turn);
+  p[index_of(Intention::kTurnRight)] = logit_of(f.right, w.turn);
+  p[index_of(Intention::kDecelerate)] = logit_of(f.decelerate, w.decelerate);
   const double largest = *std::max_element(p.begin(), p.end());
   double sum = 0.0;
   for (double& x : p) sum += x = std::exp(x - largest);

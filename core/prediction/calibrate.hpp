@@ -5,17 +5,22 @@
 
 namespace foretrack {
 
-/// Weights of a multinomial logistic model: forward has the logit 0, deceleration
-/// w_decelerate · (its features), each turn w_turn · (its features) and, for what matters only
-/// together (an opening and a wall ahead), a layer of hidden units.
-struct CalibrationWeights {
-  using TurnRow = std::array<double, IntentionFeatures::kTurnCount>;
+/// Of one intention's logit: a row of weights and, for what matters only together (an opening and a
+/// wall ahead), a layer of hidden units.
+template <int kFeatures>
+struct LogitWeights {
+  using Row = std::array<double, kFeatures>;
   static constexpr int kHidden = 8;
-  TurnRow turn{};
-  std::array<TurnRow, kHidden> hidden{};
+  Row row{};
+  std::array<Row, kHidden> hidden{};
   std::array<double, kHidden> hidden_bias{};
   std::array<double, kHidden> hidden_gain{};
-  std::array<double, IntentionFeatures::kDecelerateCount> decelerate{};
+};
+
+/// Of a multinomial logistic model: forward has the logit 0, both turns share their weights.
+struct CalibrationWeights {
+  LogitWeights<IntentionFeatures::kTurnCount> turn;
+  LogitWeights<IntentionFeatures::kDecelerateCount> decelerate;
 };
 
 /// Written by bench/prediction's fit_intention, which also says there what it was fitted on.

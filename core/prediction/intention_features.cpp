@@ -128,6 +128,8 @@ void write_decelerate(const MotionCues& motion, const Surroundings& surroundings
   out.add(5.0 * straight * square(positive(lost)));
   out.add(std::min(swing, 1.5));
   out.add(std::clamp(motion.soon_fall_m_s, -1.0, 1.0));
+  out.add(motion.log_stops_per_s);
+  out.add(motion.log_turns_per_s);
   if (!map_known) return;
   const double obstacle_s = time_to_obstacle_s(motion, surroundings);
   out.add(std::clamp(assessment[Intention::kDecelerate].potential, 0.0, 3.0));

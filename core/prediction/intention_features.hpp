@@ -11,7 +11,7 @@ namespace foretrack {
 /// that need it are 0 and other weights are used (see calibrate.hpp).
 struct IntentionFeatures {
   static constexpr int kTurnCount = 56;
-  static constexpr int kDecelerateCount = 16;
+  static constexpr int kDecelerateCount = 18;
   std::array<double, kTurnCount> left{};
   std::array<double, kTurnCount> right{};
   std::array<double, kDecelerateCount> decelerate{};

@@ -79,8 +79,10 @@ MotionCues observe_motion(MotionMemory& memory, const TargetState& target,
   read_body_swing(h, target, cues);
   read_body(h, target, params, cues);
   read_changes(h, cues.measured.velocity_m_s, target.stamp_s, params, cues);
-  follow(memory.habit, target.stamp_s, cues.recent_turn_rad, cues.walking);
-  cues.log_turns_per_s = memory.habit.log_rate();
+  follow(memory.habit, {target.stamp_s, cues.recent_turn_rad, cues.speed_m_s},
+         params.walking_speed_m_s);
+  cues.log_turns_per_s = memory.habit.log_turn_rate();
+  cues.log_stops_per_s = memory.habit.log_stop_rate();
   cues.straight_s = memory.habit.straight_s;
   return cues;
 }

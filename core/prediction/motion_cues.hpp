@@ -7,14 +7,14 @@
 #include "core/prediction/motion_history.hpp"
 #include "core/prediction/params.hpp"
 #include "core/prediction/short_term_motion.hpp"
-#include "core/prediction/turn_habit.hpp"
+#include "core/prediction/walk_habit.hpp"
 
 namespace foretrack {
 
 /// What was seen of the target. Owned by the caller of predict().
 struct MotionMemory {
   MotionHistory history;
-  TurnHabit habit;
+  WalkHabit habit;
 };
 
 struct MotionCues {
@@ -42,6 +42,7 @@ struct MotionCues {
   double turn_rate_rad_s = 0.0;             // of the velocity, over the same interval
   double recent_turn_rad = 0.0;             // of the velocity, over the last second
   double log_turns_per_s = 0.0;             // as often as the target has turned so far
+  double log_stops_per_s = 0.0;             // the same of stops
   double straight_s = 0.0;                  // walked since its last turn
 };
 

@@ -44,21 +44,23 @@ TEST(Calibrate, GivesADistributionForAnyFeatures) {
 
 TEST(Calibrate, IsTheLogisticModelItClaimsToBe) {
   CalibrationWeights w;
-  w.turn[0] = -1.0, w.turn[2] = 0.5;
-  w.hidden[3][1] = 2.0, w.hidden_bias[3] = -0.3, w.hidden_gain[3] = 1.5;
-  w.decelerate[0] = 0.2;
+  w.turn.row[0] = -1.0, w.turn.row[2] = 0.5;
+  w.turn.hidden[3][1] = 2.0, w.turn.hidden_bias[3] = -0.3, w.turn.hidden_gain[3] = 1.5;
+  w.decelerate.row[0] = 0.2;
+  w.decelerate.hidden[0][1] = 1.0, w.decelerate.hidden_gain[0] = -0.5;
   IntentionFeatures f;
   f.left = {1.0, 0.4, 2.0};
   f.right = {1.0, -0.7, 1.0};
-  f.decelerate = {1.0};
+  f.decelerate = {1.0, 0.6};
   const double left = -1.0 + 1.0 + 1.5 * std::tanh(-0.3 + 0.8);
   const double right = -1.0 + 0.5 + 1.5 * std::tanh(-0.3 - 1.4);
-  const double sum = 1.0 + std::exp(left) + std::exp(right) + std::exp(0.2);
+  const double decelerate = 0.2 - 0.5 * std::tanh(0.6);
+  const double sum = 1.0 + std::exp(left) + std::exp(right) + std::exp(decelerate);
   const auto p = probabilities(f, w);
   EXPECT_NEAR(p[0], 1.0 / sum, 1e-12);
   EXPECT_NEAR(p[1], std::exp(left) / sum, 1e-12);
   EXPECT_NEAR(p[2], std::exp(right) / sum, 1e-12);
-  EXPECT_NEAR(p[3], std::exp(0.2) / sum, 1e-12);
+  EXPECT_NEAR(p[3], std::exp(decelerate) / sum, 1e-12);
 }
 
 TEST(Calibrate, IsMirroredWhenTheWorldIs) {
