@@ -124,11 +124,12 @@ double Checker::time_to_move(double distance_m, double t) const {
   return std::max(by_acceleration, distance_m / std::max(result.max_speed_m_s, 1e-6));
 }
 
-/// Steps of half a cell, or as far as the clearance itself proves: it changes no faster than the
-/// position does, but for the way from a point to its cell's centre.
+/// Steps of a quarter of a cell, or as far as the clearance itself proves: it changes no faster
+/// than the position does, but for the way from a point to its cell's centre.
 void Checker::check_clearance() {
   const GridMap& map = inputs.map;
   const double half_cell_m = 0.5 * map.resolution_m, cell_diagonal_m = 1.7321 * map.resolution_m;
+  const double step_m = 0.25 * map.resolution_m;
   const Vec3 start = trajectory.pieces.front().position(0.0);
   const double start_clearance_m = map.unfree_distance_m(start);
   bool escaping = start_clearance_m < params.vehicle_radius_m, may_be_occupied = escaping;
@@ -153,7 +154,7 @@ void Checker::check_clearance() {
     const Vec3 from_high = map.resolution_m * map.size.cast<double>() - from_low;
     const double free_m = std::min({clearance_m - params.vehicle_radius_m - cell_diagonal_m,
                                     from_low.minCoeff(), from_high.minCoeff()});
-    t = std::min(t + time_to_move(std::max(free_m, half_cell_m), t), duration_s);
+    t = std::min(t + time_to_move(std::max(free_m, step_m), t), duration_s);
   }
 }
 

@@ -41,14 +41,13 @@ struct CheckResult {
 /// Checks, in this order: continuity with what is flown and at joints, rest at the end
 /// (kDiscontinuous); speed and acceleration by the roots of their squares' derivatives and the yaw
 /// plan's rate and acceleration, exact for piecewise constant acceleration (kLimitsViolated);
-/// distance to what is not free, at points half a cell apart or as far as their clearance proves
-/// (kClearanceViolated, or kTailUnsafe from tail_start_s on); distance to the predicted target
-/// (kTooNearTarget).
-/// A start nearer to obstacles than allowed is accepted as long as the clearance does not fall
-/// below the start's before they are left, within escape_reach_m; an occupied cell is never
-/// accepted to enter. A start nearer to the target than allowed, or closing in on it, is accepted
-/// as long as the distance does not fall below what braking cannot avoid. Throws
-/// std::invalid_argument for a trajectory without pieces. Allocates nothing.
+/// distance to what is not free, at points a quarter of a cell apart or as far as their clearance
+/// proves (kClearanceViolated, or kTailUnsafe from tail_start_s on); distance to the predicted
+/// target (kTooNearTarget). A start nearer to obstacles than allowed is accepted as long as the
+/// clearance does not fall below the start's before they are left, within escape_reach_m; an
+/// occupied cell is never accepted to enter. A start nearer to the target than allowed, or closing
+/// in on it, is accepted as long as the distance does not fall below what braking cannot avoid.
+/// Throws std::invalid_argument for a trajectory without pieces. Allocates nothing.
 CheckResult check_trajectory(const PlannedTrajectory& trajectory, const CheckInputs& inputs,
                              const FlightLimits& limits, const CheckParams& params);
 
