@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "core/planning/assemble_problem.hpp"
 #include "core/planning/fall_back.hpp"
@@ -78,7 +79,7 @@ class Replan {
     guess_trajectory(context, s_.path, from_, s_.expected, s_.problem);
     make_samples(context, s_.expected, s_.ahead, s_.path_workspace, from_.state, score_decelerate(),
                  s_.problem.samples);
-    if (braking_) align(s_.belief, start_.time_s, params_.horizon, s_.expected);
+    if (stop_) align(s_.belief, start_.time_s, params_.horizon, s_.expected);
     clock_.lap(PlanStage::kCorridor);
     // A corridor that only touches an obstacle may still hold a way: the check decides.
     const PlanReason reason = optimize();
@@ -88,9 +89,8 @@ class Replan {
   // The motion so far may leave no room to turn into the way: then it comes to rest before.
   void brake_first() {
     stop_ = make_stop_tail(start_.state, params_.limits).piece;
-    braking_ = true;
-    from_.time_s = start_.time_s + stop_.duration_s;
-    from_.state = {stop_.position(stop_.duration_s), Vec3::Zero(), Vec3::Zero()};
+    from_.time_s = start_.time_s + stop_->duration_s;
+    from_.state = {stop_->position(stop_->duration_s), Vec3::Zero(), Vec3::Zero()};
   }
 
   // The second attempt is slower and firmer; the third hardly cares for sight and distance. The
@@ -190,7 +190,7 @@ class Replan {
     if (optimum.status == OptimizationStatus::kNotFinite) return PlanReason::kNotConverged;
     PlannedTrajectory& trajectory = next().trajectory;
     trajectory.pieces.clear();
-    if (braking_) trajectory.pieces.push_back(stop_);
+    if (stop_) trajectory.pieces.push_back(*stop_);
     trajectory.pieces.insert(trajectory.pieces.end(), optimum.pieces.begin(), optimum.pieces.end());
     append_tail(trajectory);
     if (lost() && in_.now_s - s_.lost_since_s > params_.view.search_look_s)
@@ -287,8 +287,7 @@ class Replan {
   StageClock clock_;
   PlanStart start_;  // of the trajectory
   PlanStart from_;   // of the way that is planned: the same, or where it has come to rest
-  bool braking_ = false;
-  QuinticPiece stop_;
+  std::optional<QuinticPiece> stop_;  // flown before that way
 };
 
 }  // namespace

@@ -114,7 +114,8 @@ class RingSearch {
       if (nx < 0 || ny < 0 || nx >= kWindow || ny >= kWindow) continue;
       // Between two corners that touch the diagonal, a corridor has no width.
       const bool diagonal = m >= 4;
-      if (diagonal && !(may_enter(from, y * kWindow + nx) && may_enter(from, ny * kWindow + x)))
+      if (diagonal && !(may_enter(from, clearance_of(y * kWindow + nx)) &&
+                        may_enter(from, clearance_of(ny * kWindow + x))))
         continue;
       relax(from, ny * kWindow + nx, map_.resolution_m * (diagonal ? 1.41421356 : 1.0));
     }
@@ -126,8 +127,8 @@ class RingSearch {
                                      : clearance_cm(surface_.at(center_of(node)));
   }
   // Once free, stay free; before that, do not come nearer.
-  bool may_enter(int from, int to) const {
-    return clearance_of(to) >= std::min<int>(required_cm_, s_.nodes[from].clearance_cm);
+  bool may_enter(int from, std::uint8_t clearance) const {
+    return clearance >= std::min<int>(required_cm_, s_.nodes[from].clearance_cm);
   }
 
   void relax(int from, int to, double length_m) {
@@ -135,9 +136,9 @@ class RingSearch {
     const SearchState::Node& known = s_.nodes[to];
     const bool seen = known.search == s_.search;
     if (seen && known.closed) return;
-    if (!may_enter(from, to)) return;
-    const Vec2 xy = center_of(to);
     const std::uint8_t clearance = clearance_of(to);
+    if (!may_enter(from, clearance)) return;
+    const Vec2 xy = center_of(to);
     const double cost_m = parent.cost_m + length_m * cost_factor(xy, clearance);
     if (seen && cost_m >= known.cost_m) return;
     open_node(to, from, static_cast<float>(cost_m), clearance, to_ring_m(xy));
