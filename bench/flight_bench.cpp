@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
-#include "services/flight/fly.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
+#include "services/offline/flight/fly.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/planning/trajectory_cost.hpp"
-#include "services/share/cpu_time.hpp"
+#include "core/planning/optimize/trajectory_cost.hpp"
+#include "services/files/share/cpu_time.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {

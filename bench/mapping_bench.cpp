@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "core/mapping/update_map.hpp"
-#include "services/share/cpu_time.hpp"
+#include "services/files/share/cpu_time.hpp"
 #include "tests/core/mapping/box_world.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/planning/optimize_trajectory.hpp"
-#include "services/share/cpu_time.hpp"
+#include "core/planning/optimize/optimize_trajectory.hpp"
+#include "services/files/share/cpu_time.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {

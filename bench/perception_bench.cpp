@@ -1,7 +1,7 @@
 // Accuracy of the estimate of a walking person, and the cost of one observation in CPU time.
 #include <cstdio>
 
-#include "services/share/cpu_time.hpp"
+#include "services/files/share/cpu_time.hpp"
 #include "tests/core/perception/tracking_error.hpp"
 
 namespace {

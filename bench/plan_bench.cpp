@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/prediction/predict.hpp"
-#include "services/share/cpu_time.hpp"
+#include "services/files/share/cpu_time.hpp"
 #include "tests/core/planning/plan_loop.hpp"
 
 using namespace foretrack;

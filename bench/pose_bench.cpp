@@ -10,10 +10,10 @@
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sample_image.hpp"
 #include "core/perception/watch_others.hpp"
-#include "services/models/pose_models.hpp"
-#include "services/perceive/frame_source.hpp"
-#include "services/share/cpu_time.hpp"
-#include "services/share/share.hpp"
+#include "services/files/models/pose_models.hpp"
+#include "services/files/share/cpu_time.hpp"
+#include "services/files/share/share.hpp"
+#include "services/offline/images/frame_source.hpp"
 
 namespace {
 

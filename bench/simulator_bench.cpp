@@ -3,7 +3,7 @@
 
 #include "core/simulator/route.hpp"
 #include "core/simulator/simulate.hpp"
-#include "services/share/cpu_time.hpp"
+#include "services/files/share/cpu_time.hpp"
 
 namespace {
 

@@ -55,10 +55,16 @@ endfunction()
 foretrack_precompiled(foretrack_pch HEADERS <Eigen/Dense> <algorithm> <array> <cmath> <functional>
   <map> <memory> <optional> <string> <vector>)
 
-# A static library foretrack_<name> from all sources of the calling folder's <name>/.
-function(foretrack_library name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+# A static library foretrack_<name> from all sources in a folder and, where it has them, in FOLDERS
+# of it. <name> is the last part of the folder's path.
+function(foretrack_library folder)
+  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS" ${ARGN})
+  cmake_path(GET folder FILENAME name)
+  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  foreach(inner ${ARG_FOLDERS})
+    list(APPEND patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${inner}/*.cpp)
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   if(sources)
     add_library(foretrack_${name} STATIC ${sources})
     target_link_libraries(foretrack_${name} PUBLIC foretrack_options ${ARG_DEPENDS})
@@ -69,12 +75,16 @@ function(foretrack_library name)
   endif()
 endfunction()
 
-# A GoogleTest program from all sources of a folder; ctest runs it as one test, or, with PARTS, each
+# A GoogleTest program from all sources of a folder (and of FOLDERS in it); ctest runs it as one test, or, with PARTS, each
 # of these suites as one, and the rest.
 # foretrack_test(core/planning LABEL unit DEPENDS foretrack_planning)
 function(foretrack_test folder)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "DEPENDS;PARTS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "FOLDERS;DEPENDS;PARTS" ${ARGN})
+  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  foreach(inner ${ARG_FOLDERS})
+    list(APPEND patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${inner}/*.cpp)
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   if(NOT sources)
     return()
   endif()

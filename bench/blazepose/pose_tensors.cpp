@@ -11,8 +11,8 @@
 #include "core/common/random.hpp"
 #include "core/perception/detect_people.hpp"
 #include "core/perception/find_landmarks.hpp"
-#include "services/models/pose_models.hpp"
-#include "services/perceive/frame_source.hpp"
+#include "services/files/models/pose_models.hpp"
+#include "services/offline/images/frame_source.hpp"
 
 namespace {
 

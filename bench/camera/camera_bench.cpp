@@ -7,11 +7,11 @@
 
 #include "bench/camera/crossings.hpp"
 #include "bench/run_bench.hpp"
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
-#include "services/flight/fly.hpp"
-#include "services/people/load_person.hpp"
-#include "services/share/share.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
+#include "services/files/share/share.hpp"
+#include "services/offline/flight/fly.hpp"
+#include "services/offline/people/load_person.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "bench/camera/crossings.hpp"
 
 #include "bench/camera/scene.hpp"
-#include "services/people/load_person.hpp"
+#include "services/offline/people/load_person.hpp"
 
 namespace foretrack {
 namespace {

@@ -3,8 +3,8 @@
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
 #include "core/perception/watch_others.hpp"
-#include "services/people/load_person.hpp"
-#include "services/share/cpu_time.hpp"
+#include "services/files/share/cpu_time.hpp"
+#include "services/offline/people/load_person.hpp"
 
 namespace foretrack {
 

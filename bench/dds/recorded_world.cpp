@@ -1,6 +1,6 @@
 #include "bench/dds/recorded_world.hpp"
 
-#include "services/flight/fly.hpp"
+#include "services/offline/flight/fly.hpp"
 
 namespace foretrack {
 namespace {

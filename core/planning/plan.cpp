@@ -4,10 +4,10 @@
 #include <limits>
 #include <optional>
 
-#include "core/planning/assemble_problem.hpp"
-#include "core/planning/fall_back.hpp"
+#include "core/planning/motion/fall_back.hpp"
+#include "core/planning/optimize/assemble_problem.hpp"
 #include "core/planning/report_plan.hpp"
-#include "core/planning/target_samples.hpp"
+#include "core/planning/see/target_samples.hpp"
 
 namespace foretrack {
 namespace {

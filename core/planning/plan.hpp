@@ -3,10 +3,10 @@
 
 #include "core/common/target.hpp"
 #include "core/common/vehicle.hpp"
-#include "core/planning/aim_camera.hpp"
-#include "core/planning/corridor.hpp"
-#include "core/planning/look_ahead.hpp"
-#include "core/planning/stop_tail.hpp"
+#include "core/planning/motion/aim_camera.hpp"
+#include "core/planning/motion/stop_tail.hpp"
+#include "core/planning/see/look_ahead.hpp"
+#include "core/planning/way/corridor.hpp"
 
 namespace foretrack {
 

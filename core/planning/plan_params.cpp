@@ -1,6 +1,6 @@
 #include "core/planning/plan_params.hpp"
 
-#include "core/planning/optimize_trajectory.hpp"
+#include "core/planning/optimize/optimize_trajectory.hpp"
 
 namespace foretrack {
 namespace {

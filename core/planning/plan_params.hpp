@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/common/params.hpp"
-#include "core/planning/check_trajectory.hpp"
-#include "core/planning/flight_limits.hpp"
-#include "core/planning/optimize_trajectory.hpp"
+#include "core/planning/motion/check_trajectory.hpp"
+#include "core/planning/motion/flight_limits.hpp"
+#include "core/planning/optimize/optimize_trajectory.hpp"
 
 namespace foretrack {
 

@@ -1,5 +1,5 @@
 // foretrack bench: the experiments, by many flights on all cores.
-#include "services/experiments/bench.hpp"
+#include "services/offline/experiments/bench.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -13,12 +13,12 @@
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
 #include "services/common/options.hpp"
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
 #include "services/ground_station/control/tokens.hpp"
 #include "services/launch/domain.hpp"
+#include "services/offline/people/load_person.hpp"
 #include "services/operator/view.hpp"
-#include "services/people/load_person.hpp"
 
 namespace foretrack {
 namespace {

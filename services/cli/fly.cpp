@@ -1,5 +1,5 @@
 // foretrack fly: one lock-step flight into a folder.
-#include "services/flight/fly.hpp"
+#include "services/offline/flight/fly.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,9 +9,9 @@
 
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
-#include "services/flight/write_flight.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
+#include "services/offline/flight/write_flight.hpp"
 
 namespace foretrack {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "services/cli/commands.hpp"
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
 
 namespace foretrack {
 

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "services/config/load_scenario.hpp"
+#include "services/files/config/load_scenario.hpp"
 
 namespace foretrack {
 

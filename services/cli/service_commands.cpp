@@ -6,10 +6,10 @@
 
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
+#include "services/offline/people/load_person.hpp"
 #include "services/onboard/onboard.hpp"
-#include "services/people/load_person.hpp"
 #include "services/simulator/simulator_service.hpp"
 
 namespace foretrack {

@@ -10,11 +10,11 @@
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
 #include "services/common/options.hpp"
-#include "services/config/load_params.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/share/share.hpp"
 #include "services/ground_station/bus/bus.hpp"
 #include "services/ground_station/recording/recorder.hpp"
 #include "services/ground_station/recording/replay.hpp"
-#include "services/share/share.hpp"
 
 namespace foretrack {
 namespace {

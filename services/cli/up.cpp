@@ -7,8 +7,8 @@
 
 #include "services/cli/commands.hpp"
 #include "services/common/stop.hpp"
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
 #include "services/launch/flight_processes.hpp"
 
 namespace foretrack {

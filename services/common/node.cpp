@@ -12,7 +12,7 @@
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
-#include "services/share/share.hpp"
+#include "services/files/share/share.hpp"
 
 namespace foretrack {
 namespace {

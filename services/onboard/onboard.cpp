@@ -7,11 +7,11 @@
 #include <thread>
 #include <vector>
 
-#include "services/mapping/mapping_service.hpp"
-#include "services/perception/perception_service.hpp"
-#include "services/planning/planning_service.hpp"
-#include "services/prediction/prediction_service.hpp"
-#include "services/safety_gate/safety_gate_service.hpp"
+#include "services/onboard/mapping/mapping_service.hpp"
+#include "services/onboard/perception/perception_service.hpp"
+#include "services/onboard/planning/planning_service.hpp"
+#include "services/onboard/prediction/prediction_service.hpp"
+#include "services/onboard/safety_gate/safety_gate_service.hpp"
 
 namespace foretrack {
 namespace {

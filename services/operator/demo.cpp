@@ -9,10 +9,10 @@
 #include <stdexcept>
 
 #include "services/common/loop.hpp"
-#include "services/config/load_params.hpp"
-#include "services/flight/fly.hpp"
-#include "services/flight/write_flight.hpp"
+#include "services/files/config/load_params.hpp"
 #include "services/launch/resources.hpp"
+#include "services/offline/flight/fly.hpp"
+#include "services/offline/flight/write_flight.hpp"
 #include "services/operator/diagnose.hpp"
 #include "services/operator/summary.hpp"
 #include "services/operator/view.hpp"

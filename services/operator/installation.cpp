@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <functional>
 
-#include "services/config/load_params.hpp"
-#include "services/config/load_scenario.hpp"
-#include "services/share/share.hpp"
+#include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
+#include "services/files/share/share.hpp"
 
 namespace foretrack {
 namespace {

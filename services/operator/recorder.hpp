@@ -9,7 +9,7 @@
 
 #include "core/common/vehicle.hpp"
 #include "core/simulator/scenario.hpp"
-#include "services/flight/flight_row.hpp"
+#include "services/offline/flight/flight_row.hpp"
 #include "services/operator/listener.hpp"
 
 namespace foretrack {

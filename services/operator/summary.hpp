@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/flight/metrics.hpp"
+#include "services/offline/flight/metrics.hpp"
 #include "services/operator/recorder.hpp"
 
 namespace foretrack {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/common/random.hpp"
-#include "core/planning/look_ahead.hpp"
+#include "core/planning/see/look_ahead.hpp"
 #include "core/simulator/world.hpp"
 
 namespace foretrack::testing {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/common/random.hpp"
-#include "core/planning/optimize_trajectory.hpp"
+#include "core/planning/optimize/optimize_trajectory.hpp"
 
 namespace foretrack {
 

@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "services/config/load_scenario.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
+#include "services/files/config/load_scenario.hpp"
 #include "services/simulator/simulator_service.hpp"
 #include "tests/services/onboard/neighbours.hpp"
 

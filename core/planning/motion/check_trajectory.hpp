@@ -1,0 +1,54 @@
+// The independent check: whether a trajectory may be flown.
+#pragma once
+
+#include "core/common/grid_map.hpp"
+#include "core/common/prediction.hpp"
+#include "core/planning/motion/flight_limits.hpp"
+
+namespace foretrack {
+
+struct CheckParams {
+  double vehicle_radius_m = 0.35;            // least distance to occupied or unknown space
+  double escape_reach_m = 1.0;               // how far a way out of too near may go
+  double target_distance_min_m = 0.8;        // horizontal, to the predicted path; 0: not checked
+  double position_tolerance_m = 0.02;        // joints, and the start against what is flown
+  double velocity_tolerance_m_s = 0.05;      // the same
+  double acceleration_tolerance_m_s2 = 0.2;  // the same
+  double yaw_tolerance_rad = 0.02;           // the same, of yaw
+  double yaw_rate_tolerance_rad_s = 0.05;    // the same, of its rate
+  double limit_tolerance = 1.0e-3;           // relative, of every limit
+};
+ParamRows rows(CheckParams& params);
+
+struct CheckInputs {
+  const GridMap& map;
+  BoundaryState flown;                         // what is flown at the trajectory's start_s
+  AngleNode flown_yaw;                         // the same, of yaw
+  const PredictedPath* target_path = nullptr;  // the most likely one; none: not checked
+  double target_stamp_s = 0.0;                 // absolute time of the path's time 0
+};
+
+struct CheckResult {
+  PlanReason reason = PlanReason::kOk;
+  double failed_at_s = 0.0;  // t of the first fault found, after the trajectory's start
+  double max_speed_m_s = 0.0;
+  double max_acceleration_m_s2 = 0.0;
+  double min_clearance_m = 0.0;        // the least seen, centimetre steps as in the map
+  double min_target_distance_m = 0.0;  // horizontal; infinite when not checked
+  bool ok() const { return reason == PlanReason::kOk; }
+};
+
+/// Checks, in this order: continuity with what is flown and at joints, rest at the end
+/// (kDiscontinuous); speed and acceleration by the roots of their squares' derivatives and the yaw
+/// plan's rate and acceleration, exact for piecewise constant acceleration (kLimitsViolated);
+/// distance to what is not free, at points a quarter of a cell apart or as far as their clearance
+/// proves (kClearanceViolated, or kTailUnsafe from tail_start_s on); distance to the predicted
+/// target (kTooNearTarget). A start nearer to obstacles than allowed is accepted as long as the
+/// clearance does not fall below the start's before they are left, within escape_reach_m; an
+/// occupied cell is never accepted to enter. A start nearer to the target than allowed, or closing
+/// in on it, is accepted as long as the distance does not fall below what braking cannot avoid.
+/// Throws std::invalid_argument for a trajectory without pieces. Allocates nothing.
+CheckResult check_trajectory(const PlannedTrajectory& trajectory, const CheckInputs& inputs,
+                             const FlightLimits& limits, const CheckParams& params);
+
+}  // namespace foretrack

@@ -1,0 +1,24 @@
+// The optimisation problem of one plan: corridor, first guess, boundary states.
+#pragma once
+
+#include "core/planning/motion/plan_start.hpp"
+#include "core/planning/optimize/optimize_trajectory.hpp"
+#include "core/planning/see/look_ahead.hpp"
+#include "core/planning/way/corridor.hpp"
+
+namespace foretrack {
+
+/// Decomposes free space around every segment of the path (paper: F). A segment that begins or
+/// ends nearer to obstacles than allowed has a polytope that comes no nearer. False if a segment
+/// touches what the vehicle may not enter.
+bool build_corridor(const SearchContext& context, const FlightPath& path,
+                    CorridorWorkspace& workspace, std::vector<Polytope>& corridor);
+
+/// First guess (waypoints at the path's vertices and in the middle of its segments) and boundary
+/// states: the plan ends near the path's end, in its last polytope, where distance and sight to the
+/// ends of the target's paths are best in expectation, with the target's mean velocity there as far
+/// as there is room to stop. Reads the corridor; leaves it and the samples as they are.
+void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,
+                      const ExpectedTarget& target, OptimizationProblem& problem);
+
+}  // namespace foretrack

@@ -1,0 +1,104 @@
+#include "core/planning/see/target_belief.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foretrack {
+namespace {
+
+constexpr double kExtrapolation_s = 0.4;  // of a path that ends before the planning horizon
+
+void constant_velocity(const TargetState& target, const HorizonParams& params,
+                       PredictedPath& path) {
+  path.intention = Intention::kForward;
+  path.probability = 1.0;
+  path.states.clear();
+  const int count = static_cast<int>(std::lround(params.horizon_s / params.step_s));
+  Vec3 velocity = target.velocity_enu_m_s;
+  velocity.z() = 0.0;
+  for (int k = 1; k <= count; ++k) {
+    PredictedState state;
+    state.time_s = k * params.step_s;
+    state.position_enu_m = target.position_enu_m + state.time_s * velocity;
+    state.velocity_enu_m_s = velocity;
+    path.states.push_back(state);
+  }
+}
+
+// Position and velocity on the path at a time after the path's stamp.
+void sample(const PredictedPath& path, double time_s, Vec3& position, Vec3& velocity) {
+  const auto& states = path.states;
+  const auto after = std::find_if(states.begin(), states.end(),
+                                  [&](const PredictedState& s) { return s.time_s >= time_s; });
+  const PredictedState& near = after == states.end() ? states.back() : *after;
+  if (after == states.begin() || after == states.end()) {
+    const double ahead_s = std::clamp(time_s - near.time_s, -near.time_s, kExtrapolation_s);
+    position = near.position_enu_m + ahead_s * near.velocity_enu_m_s;
+    const bool stands = time_s - near.time_s > kExtrapolation_s;
+    velocity = stands ? Vec3::Zero() : near.velocity_enu_m_s;
+    return;
+  }
+  const PredictedState& before = *(after - 1);
+  const double part = (time_s - before.time_s) / (near.time_s - before.time_s);
+  position = before.position_enu_m + part * (near.position_enu_m - before.position_enu_m);
+  velocity = before.velocity_enu_m_s + part * (near.velocity_enu_m_s - before.velocity_enu_m_s);
+}
+
+}  // namespace
+
+Vec3 ExpectedPath::position(double t_s, double step_s) const {
+  const auto last = positions_enu_m.size() - 1;
+  const double steps = std::max(t_s / step_s - 1.0, 0.0);
+  const auto k = std::min(static_cast<std::size_t>(steps), last);
+  if (k == last) return positions_enu_m[last];
+  const double part = steps - static_cast<double>(k);
+  return (1.0 - part) * positions_enu_m[k] + part * positions_enu_m[k + 1];
+}
+
+int ExpectedTarget::owner(int i, std::size_t k, double near_m) const {
+  const Vec3& place = paths[i].positions_enu_m[k];
+  for (int j = 0; j < i; ++j)
+    if ((place - paths[j].positions_enu_m[k]).squaredNorm() < near_m * near_m &&
+        owner(j, k, near_m) == j)
+      return j;
+  return i;
+}
+
+void update_belief(TargetBelief& belief, const TargetState& target, const Prediction* prediction,
+                   const HorizonParams& params) {
+  belief.count = 0;
+  if (prediction != nullptr && prediction->status == PredictionStatus::kOk) {
+    belief.stamp_s = prediction->stamp_s;
+    for (const PredictedPath& path : prediction->paths) {
+      if (belief.count == kIntentionCount) break;
+      if (!path.states.empty()) belief.paths[belief.count++] = path;
+    }
+  }
+  if (belief.count > 0) return;
+  belief.stamp_s = target.stamp_s;
+  belief.count = 1;
+  constant_velocity(target, params, belief.paths[0]);
+}
+
+void align(const TargetBelief& belief, double start_s, const HorizonParams& params,
+           ExpectedTarget& expected) {
+  const int steps = static_cast<int>(std::lround(params.horizon_s / params.step_s));
+  expected.count = 0;
+  double sum = 0.0;
+  for (int i = 0; i < belief.count; ++i) {
+    const PredictedPath& path = belief.paths[i];
+    const bool wanted = params.hedging && path.probability >= params.path_probability_min;
+    if (i > 0 && !wanted) continue;
+    ExpectedPath& out = expected.paths[expected.count++];
+    out.probability = std::max(path.probability, 1e-3);
+    sum += out.probability;
+    out.positions_enu_m.resize(steps);
+    out.velocities_enu_m_s.resize(steps);
+    for (int k = 0; k < steps; ++k)
+      sample(path, start_s + (k + 1) * params.step_s - belief.stamp_s, out.positions_enu_m[k],
+             out.velocities_enu_m_s[k]);
+  }
+  for (int i = 0; i < expected.count; ++i) expected.paths[i].probability /= sum;
+}
+
+}  // namespace foretrack

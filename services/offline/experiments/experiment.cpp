@@ -1,0 +1,86 @@
+#include "services/offline/experiments/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace foretrack {
+namespace {
+
+// One condition for each value of one key.
+void sweep(std::vector<Condition>& conditions, std::string_view name, std::string_view key,
+           std::initializer_list<std::string_view> values) {
+  for (const auto value : values)
+    conditions.push_back({fmt::format("{}={}", name, value), {fmt::format("{}={}", key, value)}});
+}
+
+// Each alone; what the others are then, the scenarios say (2 px, 0.05 s, 0.3 s, nothing else).
+std::vector<Condition> stress_conditions() {
+  std::vector<Condition> all = {{"nominal", {}}};
+  sweep(all, "noise_px", "sensors.landmark_noise_px", {"4", "8"});
+  sweep(all, "joint_noise_m", "sensors.joint_noise_m", {"0.06", "0.12"});
+  sweep(all, "delay_s", "sensors.delay_s", {"0", "0.1", "0.2", "0.3"});
+  sweep(all, "dropout", "sensors.dropout", {"0.3", "0.6"});
+  sweep(all, "fov_gated", "sensors.fov_gated", {"false"});
+  sweep(all, "gust_m_s", "wind.gust_m_s", {"1", "2"});
+  sweep(all, "shoulder_lead_s", "target.shoulder_lead_s", {"0", "0.15", "0.45", "0.6"});
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all = {
+      {.name = "turning",
+       .summary = "sharp turns between dense boxes and in narrow streets",
+       .event = EventKind::kTurn,
+       .worlds = {"dense_boxes", "street_blocks"},
+       .speeds_m_s = {1.0, 1.5, 2.0},
+       .runs = 10,
+       .quick_duration_s = 30.0},
+      {.name = "deceleration",
+       .summary = "sudden stops from 2 m/s",
+       .event = EventKind::kDeceleration,
+       .worlds = {"deceleration"},
+       .speeds_m_s = {2.0},
+       .duration_s = 45.0,
+       .runs = 40,
+       .quick_runs = 3,
+       .quick_duration_s = 45.0},
+      {.name = "t_intersection",
+       .summary = "a street ends at another; left or right by seed",
+       .event = EventKind::kPass,
+       .worlds = {"t_intersection"},
+       .speeds_m_s = {1.5},
+       .duration_s = 14.0,
+       .runs = 200,
+       .quick_runs = 6,
+       .quick_duration_s = 14.0},
+      {.name = "real_tracks",
+       .summary = "recorded pedestrians in the open: predictions and intentions",
+       .event = EventKind::kWalk,
+       .worlds = {"recorded_walk"},
+       .speeds_m_s = {},
+       .runs = 0,
+       .quick_runs = 10},
+      {.name = "stress",
+       .summary = "turning at 1.5 m/s with one thing made worse at a time",
+       .event = EventKind::kTurn,
+       .worlds = {"dense_boxes", "street_blocks", "doorways"},
+       .speeds_m_s = {1.5},
+       .conditions = stress_conditions(),
+       .runs = 1,
+       .quick_duration_s = 10.0}};
+  return all;
+}
+
+const Experiment& experiment_named(std::string_view name) {
+  std::string names;
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.name == name) return experiment;
+    names += (names.empty() ? "" : ", ") + experiment.name;
+  }
+  throw std::invalid_argument(fmt::format("no experiment '{}'; there are {} and all", name, names));
+}
+
+}  // namespace foretrack

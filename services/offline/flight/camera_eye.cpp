@@ -1,0 +1,40 @@
+#include "services/offline/flight/camera_eye.hpp"
+
+#include "core/perception/expected_place.hpp"
+#include "core/perception/torso_depth.hpp"
+#include "core/perception/watch_others.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kSameInstant_s = 1e-6;
+
+double torso_depth_of(const TargetObservation& observation, const DepthImage* depth) {
+  const bool fits = depth && std::abs(depth->stamp_s - observation.stamp_s) < kSameInstant_s;
+  const auto surface_m = fits ? torso_surface_depth_m(observation, *depth) : std::nullopt;
+  return surface_m.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+const CameraEye::Seen* CameraEye::look(const SimulatorOutput& output, const PerceptionState& track,
+                                       const VehicleHistory& vehicles) {
+  if (const ColorImage* image = output.color) {
+    const auto expected = expected_place(track, vehicles, image->camera, image->stamp_s, params_);
+    result_ = perceive_image(state_, image->pixels, image->stamp_s, network_, params_, expected);
+    if (result_.found()) {
+      Seen& seen = waiting_.emplace_back();
+      seen.observation = to_observation(result_.person, image->stamp_s, image->camera, params_);
+      seen.observation.doubtful = result_.ambiguous;
+      seen.torso_depth_m = torso_depth_of(seen.observation, output.depth);
+    }
+    watch_others(state_, image->pixels, image->stamp_s, network_, params_);
+  }
+  if (waiting_.empty() || output.now_s < waiting_.front().observation.stamp_s + delay_s_ - 1e-9)
+    return nullptr;
+  delivered_ = waiting_.front();
+  waiting_.pop_front();
+  return &delivered_;
+}
+
+}  // namespace foretrack

@@ -1,0 +1,118 @@
+#include "services/offline/flight/fly.hpp"
+
+#include <limits>
+
+#include "services/files/share/cpu_time.hpp"
+#include "services/files/share/share.hpp"
+#include "services/offline/flight/camera_eye.hpp"
+
+namespace foretrack {
+namespace {
+
+// The path's point at a time, between its states; NaN beyond its end.
+Vec2 point_at(const PredictedPath& path, double time_s) {
+  for (std::size_t i = 0; i < path.states.size(); ++i) {
+    const PredictedState& next = path.states[i];
+    if (next.time_s < time_s - 1e-9) continue;
+    if (i == 0) return next.position_enu_m.head<2>();
+    const PredictedState& last = path.states[i - 1];
+    const double w = (time_s - last.time_s) / (next.time_s - last.time_s);
+    return ((1.0 - w) * last.position_enu_m + w * next.position_enu_m).head<2>();
+  }
+  return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+// What was last predicted and planned stays in the rows until the next plan.
+void write_plan(const TrackerOutput& out, FlightRow& last) {
+  last.planned = out.planned;
+  if (!out.planned) return;
+  last.beliefs = out.prediction->intention.beliefs;
+  last.foresight_m = no_foresight();
+  const auto& paths = out.prediction->prediction.paths;
+  if (!paths.empty())
+    for (std::size_t i = 0; i < kForesight_s.size(); ++i)
+      last.foresight_m[i] = point_at(paths.front(), kForesight_s[i]);
+  last.plan_status = out.plan->trajectory.status;
+  last.plan_reason = out.plan->trajectory.reason;
+  last.plan_id = out.plan->trajectory.id;
+}
+
+void write_decision(const TrackerOutput& out, FlightRow& last, FlightRow& row) {
+  write_plan(out, last);
+  row.planned = last.planned;
+  row.beliefs = last.beliefs;
+  row.foresight_m = last.foresight_m;
+  row.plan_status = last.plan_status;
+  row.plan_reason = last.plan_reason;
+  row.plan_id = last.plan_id;
+  row.estimate = out.target;
+  row.mode = to_string(out.gate.mode);
+  row.setpoint = out.gate.setpoint;
+}
+
+}  // namespace
+
+MetricParams metric_params_of(const TrackerParams& params) {
+  const PlanningParams& p = params.planning;
+  return {.band_low_m = p.place.distance_low_m,
+          .band_high_m = p.place.distance_high_m,
+          .speed_max_m_s = p.limits.speed_max_m_s,
+          .acceleration_max_m_s2 = p.limits.acceleration_max_m_s2,
+          .yaw_rate_max_rad_s = p.limits.yaw_rate_max_rad_s};
+}
+
+AutopilotInput command_of(const GateResult& gate) {
+  AutopilotInput command;
+  command.heartbeat = gate.heartbeat;
+  command.setpoint = gate.setpoint;
+  switch (gate.request) {
+    case AutopilotRequest::kNone:
+      break;
+    case AutopilotRequest::kArm:
+      command.arm = true;
+      break;
+    case AutopilotRequest::kOffboard:
+      command.mode = AutopilotMode::kOffboard;
+      break;
+    case AutopilotRequest::kReturn:
+      command.mode = AutopilotMode::kReturn;
+      break;
+    case AutopilotRequest::kLand:
+      command.mode = AutopilotMode::kLand;
+      break;
+  }
+  return command;
+}
+
+FlightResult fly(const Scenario& scenario, const TrackerParams& params,
+                 const FlightOptions& options, const TrackerWatch& watch) {
+  TrackerState tracker(params);
+  std::optional<CameraEye> eye;
+  if (scenario.color_images)
+    eye.emplace(load_pose_network(find_share("models"),
+                                  static_cast<PoseModel>(params.perception.model_complexity)),
+                params.perception, scenario.landmark_camera.delay_s);
+  FlightRow last;
+  const Pilot pilot = [&](PilotStep s) {
+    TrackerInput input{.now_s = s.simulator.now_s,
+                       .vehicle = s.simulator.vehicle,
+                       .autopilot = s.simulator.autopilot,
+                       .observation = s.simulator.observation ? &*s.simulator.observation : nullptr,
+                       .depth = s.known_map ? nullptr : s.simulator.depth,
+                       .known_map = s.known_map};
+    if (const auto* seen =
+            eye ? eye->look(s.simulator, tracker.perception, tracker.vehicles) : nullptr) {
+      input.observation = &seen->observation;
+      input.torso_depth_m = seen->torso_depth_m;
+    }
+    const double begin_ms = cpu_ms();  // other flights run beside this one
+    const TrackerOutput out = step(tracker, input, params);
+    if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);
+    if (watch) watch(out);
+    s.command = command_of(out.gate);
+    write_decision(out, last, s.row);
+  };
+  return fly_pilot(scenario, pilot, metric_params_of(params), options);
+}
+
+}  // namespace foretrack

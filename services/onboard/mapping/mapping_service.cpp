@@ -1,0 +1,117 @@
+#include "services/onboard/mapping/mapping_service.hpp"
+
+#include "services/convert/geometry.hpp"
+#include "services/convert/image.hpp"
+#include "services/convert/map.hpp"
+#include "services/convert/target.hpp"
+
+namespace foretrack {
+namespace {
+
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
+const Fault kNoPose{"odometry", "no odometry of the image's stamp"};
+constexpr double kMapPeriod_s = 0.1;
+constexpr double kOthersPeriod_s = 1.0;
+constexpr double kWatchPeriod_s = 0.5;
+constexpr double kPoseWait_s = 0.05;
+constexpr double kImageStale_s = 1.0;
+constexpr double kJitter_s = 0.02;  // of the images: 10 Hz out of 15 Hz is every second one or so
+
+}  // namespace
+
+MappingService::MappingService(Service& service, const MappingParams& params)
+    : service_(service),
+      params_(params),
+      state_(params),
+      vehicle_(service, [this] { update(); }),
+      image_(service.node()),
+      info_(service.node()),
+      target_reader_(service.node()),
+      mount_(service.node()),
+      map_(service.node()),
+      octree_(service.node()),
+      points_(service.node()) {
+  Loop& loop = service.loop();
+  loop.on_newest(mount_, [this](const auto& message) { take_mount(message); });
+  loop.on_newest(
+      info_, [this](const auto& message) { return from_idl(message, T_body_camera_); },
+      [this](const CameraModel& camera) { camera_ = camera; });
+  loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
+  loop.on_newest(image_, [this](const auto& message) { take(message); });
+  loop.every(kOthersPeriod_s, [this] { publish_for_others(); });
+  loop.every(kWatchPeriod_s, [this] { watch(); });
+}
+
+void MappingService::take_mount(const tf2_msgs::msg::TFMessage& message) {
+  const auto mount = mount_of(message, kCameraFrame);
+  if (!mount) return;
+  T_body_camera_ = *mount;
+  if (camera_) camera_->T_body_camera = *mount;
+}
+
+void MappingService::take(const sensor_msgs::msg::Image& message) {
+  arrived_s_ = service_.clock().now_s();
+  if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
+  if (waiting_) image_.refuse(kNoPose);
+  waiting_ = false;
+  auto image = from_idl(message, *camera_, std::move(depth_.depth_m));
+  if (!image) return image_.refuse(image.fault());
+  depth_ = std::move(*image);
+  waiting_ = true;
+  update();
+}
+
+// An image may arrive before the odometry of its stamp.
+void MappingService::update() {
+  if (!waiting_) return;
+  const VehicleState* vehicle = vehicle_.newest();
+  const bool covered = vehicle && vehicle->stamp_s >= depth_.stamp_s;
+  if (!covered && service_.clock().now_s() - arrived_s_ < kPoseWait_s) return;
+  waiting_ = false;
+  const TargetState* target = target_ && target_->usable() ? &*target_ : nullptr;
+  const auto result = update_map(state_, depth_, vehicle_.history(), target, params_);
+  if (result.status != MapStatus::kUpdated) return image_.refuse(kNoPose);
+  publish();
+}
+
+void MappingService::publish() {
+  if (std::abs(depth_.stamp_s - published_s_) < kMapPeriod_s - kJitter_s) return;
+  published_s_ = depth_.stamp_s;
+  to_idl(state_.map, map_.sample());
+  map_.write();
+}
+
+void MappingService::publish_for_others() {
+  if (state_.map.empty()) return;
+  if (octree_.readers() > 0) {
+    to_idl(*state_.tree, state_.map.stamp_s, octree_.sample());
+    octree_.write();
+  }
+  if (points_.readers() > 0) {
+    to_points(state_.map, points_.sample());
+    points_.write();
+  }
+}
+
+void MappingService::watch() {
+  update();
+  const double now_s = service_.clock().now_s();
+  const bool seeing = now_s - arrived_s_ < kImageStale_s;
+  const bool placed = vehicle_.age_s(now_s) < kImageStale_s;
+  service_.health().set_degraded(!seeing    ? "no depth images"
+                                 : !camera_ ? "no camera_info"
+                                 : !placed  ? "no odometry"
+                                            : "");
+}
+
+void run_mapping(const ServiceOptions& options, const MappingParams& params, Stop& stop) {
+  Service service("mapping", options, stop);
+  MappingService stage(service, params);
+  service.run();
+}
+
+}  // namespace foretrack

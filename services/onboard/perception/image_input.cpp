@@ -1,0 +1,106 @@
+#include "services/onboard/perception/image_input.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/perception/expected_place.hpp"
+#include "core/perception/torso_depth.hpp"
+#include "core/perception/watch_others.hpp"
+#include "services/convert/geometry.hpp"
+#include "services/convert/image.hpp"
+#include "services/files/models/pose_models.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kStale_s = 0.3;
+constexpr double kLoadAgain_s = 5.0;
+constexpr double kSameInstant_s = 0.025;  // colour and depth
+
+}  // namespace
+
+ImageInput::ImageInput(Service& service, const PerceptionParams& params,
+                       const PerceptionState& track, const VehicleInput& vehicle, Callback callback)
+    : service_(service),
+      params_(params),
+      track_(track),
+      vehicle_(vehicle),
+      callback_(std::move(callback)),
+      mount_(service.node()),
+      info_(service.node()),
+      image_(service.node()) {
+  Loop& loop = service.loop();
+  loop.on_newest(mount_, [this](const auto& message) { take_mount(message); });
+  loop.on_newest(
+      info_, [this](const auto& message) { return lens_from_idl(message, T_body_camera_); },
+      [this](const CameraWithLens& camera) { camera_ = camera; });
+  loop.on_newest(image_, [this](const auto& message) { take(message); });
+}
+
+void ImageInput::take_mount(const tf2_msgs::msg::TFMessage& message) {
+  const auto mount = mount_of(message, kCameraFrame);
+  if (!mount) return;
+  T_body_camera_ = *mount;
+  if (camera_) camera_->camera.T_body_camera = *mount;
+}
+
+void ImageInput::take(const sensor_msgs::msg::Image& message) {
+  if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
+  const double stamp_s = seconds(message.header().stamp());
+  if (service_.clock().now_s() - stamp_s > kStale_s) return image_.reject("late");
+  if (!load_network()) return image_.reject("no pose network");
+  auto image = rgb_from_idl(message, camera_->camera, std::move(rgb_.rgb));
+  if (!image) return image_.refuse(image.fault());
+  rgb_ = std::move(*image);
+  look(stamp_s);
+}
+
+bool ImageInput::load_network() {
+  const double now_s = service_.clock().now_s();
+  if (network_ || std::abs(now_s - next_load_s_) < kLoadAgain_s) return network_.has_value();
+  next_load_s_ = now_s;
+  try {
+    network_ = load_shipped_pose_network(params_.model_complexity);
+    depth_info_.emplace(service_.node());
+    depth_image_.emplace(service_.node());
+    service_.node().announce();
+    trouble_.clear();
+  } catch (const std::exception& error) {
+    if (trouble_ != error.what()) service_.node().report(error.what());
+    trouble_ = error.what();
+  }
+  return network_.has_value();
+}
+
+void ImageInput::look(double stamp_s) {
+  const auto expected =
+      expected_place(track_, vehicle_.history(), camera_->camera, stamp_s, params_);
+  PoseResult result = perceive_image(pose_, rgb_, stamp_s, *network_, params_, expected);
+  if (result.ambiguous) ambiguous_s_ = stamp_s;
+  Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN()};
+  if (result.found()) {
+    undistort(result.person, camera_->camera, camera_->lens);
+    observation_ = to_observation(result.person, stamp_s, camera_->camera, params_);
+    observation_.doubtful = result.ambiguous;
+    seen.observation = &observation_;
+    seen.torso_depth_m = torso_depth_m(observation_);
+  }
+  callback_(seen);
+  watch_others(pose_, rgb_, stamp_s, *network_, params_);
+}
+
+double ImageInput::torso_depth_m(const TargetObservation& observation) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (const auto camera = depth_info_->take_newest_as(
+          [this](const auto& message) { return from_idl(message, T_body_camera_); }))
+    depth_camera_ = *camera;
+  if (!depth_camera_) return kNone;
+  auto depth = depth_image_->take_newest_as([this](const sensor_msgs::msg::Image& message) {
+    return from_idl(message, *depth_camera_, std::move(depth_.depth_m));
+  });
+  if (depth) depth_ = std::move(*depth);
+  if (std::abs(depth_.stamp_s - observation.stamp_s) > kSameInstant_s) return kNone;
+  return torso_surface_depth_m(observation, depth_).value_or(kNone);
+}
+
+}  // namespace foretrack

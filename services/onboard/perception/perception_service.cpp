@@ -1,0 +1,126 @@
+#include "services/onboard/perception/perception_service.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "services/convert/target.hpp"
+#include "services/convert/visual.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kCoastPeriod_s = 1.0 / 30.0;
+constexpr double kPoseWait_s = 0.05;  // odometry comes at 30 Hz or more
+constexpr std::size_t kMaxWaiting = 8;
+constexpr double kDrawPeriod_s = 0.1;
+constexpr double kVehicleStale_s = 0.5;
+constexpr double kRestart_s = 1.0;
+constexpr double kDoubt_s = 3.0;  // so long it is said
+constexpr char kAmbiguous[] = "several people could be the one who is followed; see the image";
+constexpr double kOwnImages_s = 1.0;  // while there are some, observations of others do not count
+
+}  // namespace
+
+PerceptionService::PerceptionService(Service& service, const PerceptionParams& params)
+    : service_(service),
+      params_(params),
+      vehicle_(service, [this] { perceive_waiting(); }),
+      observation_(service.node()),
+      target_(service.node()),
+      markers_(service.node()),
+      images_(service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); }) {
+  service.loop().on_each(observation_, [this](const auto& message) { take(message); });
+  service.loop().every(kCoastPeriod_s, [this] { coast_if_silent(); });
+}
+
+void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& message) {
+  // Its own ones come back, too.
+  if (service_.clock().now_s() - looked_s_ < kOwnImages_s) return;
+  if (sees_nobody(message)) return;
+  const auto observation = from_idl(message);
+  if (!observation) return observation_.refuse(observation.fault());
+  wait_for_odometry({*observation, 0.0, std::numeric_limits<double>::quiet_NaN()});
+}
+
+void PerceptionService::take_seen(const ImageInput::Seen& seen) {
+  looked_s_ = seen.stamp_s;
+  if (!seen_) {
+    seen_.emplace(service_.node());
+    service_.node().announce();
+  }
+  if (seen.observation) {
+    to_idl(*seen.observation, seen_->sample());
+    wait_for_odometry({*seen.observation, 0.0, seen.torso_depth_m});
+  } else {
+    to_idl_nobody(seen.stamp_s, seen_->sample());
+  }
+  seen_->write();
+}
+
+void PerceptionService::wait_for_odometry(Waiting observed) {
+  if (waiting_.size() == kMaxWaiting) waiting_.pop_front();
+  observed.arrived_s = service_.clock().now_s();
+  waiting_.push_back(std::move(observed));
+  perceive_waiting();
+}
+
+// An image may arrive before the odometry of its stamp.
+void PerceptionService::perceive_waiting() {
+  const double now_s = service_.clock().now_s();
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    const auto& [observation, arrived_s, torso_depth_m] = waiting_.front();
+    const VehicleState* vehicle = vehicle_.newest();
+    const bool covered = vehicle && vehicle->stamp_s >= observation.stamp_s;
+    if (!covered && now_s - arrived_s < kPoseWait_s) return;
+    const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
+    if (result.status == PerceptionStatus::kGated) ++gated_;
+    delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
+    if (result.target.stamp_s > published_s_) publish(result.target);
+  }
+}
+
+void PerceptionService::coast_if_silent() {
+  perceive_waiting();
+  const double now_s = service_.clock().now_s();
+  const bool seeing = vehicle_.age_s(now_s) < kVehicleStale_s;
+  const bool doubtful = std::abs(now_s - images_.ambiguous_s()) < kDoubt_s;
+  service_.health().set_degraded(!seeing                      ? "no odometry"
+                                 : !images_.trouble().empty() ? images_.trouble()
+                                 : doubtful                   ? kAmbiguous
+                                                              : "");
+  if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
+    state_ = {};
+    published_s_ = -1.0;
+    looked_s_ = -1e9;
+  }
+  const double to_s = now_s - delay_s_;
+  if (to_s - published_s_ < 1.5 * kCoastPeriod_s) return;
+  TargetState target = coast(state_, to_s, params_);
+  target.stamp_s = std::max(to_s, 0.0);
+  publish(target);
+}
+
+void PerceptionService::publish(const TargetState& target) {
+  to_idl(target, target_.sample());
+  target_.sample().rejected_measurements(gated_);
+  target_.write();
+  if (target.status != TrackStatus::kNone) published_s_ = target.stamp_s;
+  publish_markers(target);
+}
+
+void PerceptionService::publish_markers(const TargetState& target) {
+  const double now_s = service_.clock().now_s();
+  if (markers_.readers() == 0 || std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
+  drawn_s_ = now_s;
+  to_markers(target, markers_.sample());
+  markers_.write();
+}
+
+void run_perception(const ServiceOptions& options, const PerceptionParams& params, Stop& stop) {
+  Service service("perception", options, stop);
+  PerceptionService stage(service, params);
+  service.run();
+}
+
+}  // namespace foretrack

@@ -1,0 +1,57 @@
+// Images or observations, and odometry, in; the target's state out.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/perception/perceive.hpp"
+#include "foretrack_msgs/msg/TargetObservation.h"
+#include "foretrack_msgs/msg/TargetState.h"
+#include "services/onboard/inputs.hpp"
+#include "services/onboard/perception/image_input.hpp"
+#include "visualization_msgs/msg/MarkerArray.h"
+
+namespace foretrack {
+
+/// Publishes at each observation, stamped with its image; while none come, it coasts at 30 Hz to
+/// where observations would be now (now less their usual delay), so that stamps never go back. What
+/// it sees in images it publishes as observations too.
+class PerceptionService {
+ public:
+  PerceptionService(Service& service, const PerceptionParams& params);
+
+ private:
+  struct Waiting {
+    TargetObservation observation;
+    double arrived_s = 0.0;
+    double torso_depth_m = 0.0;  // NaN: not measured
+  };
+  void take(const foretrack_msgs::msg::TargetObservation& message);
+  void take_seen(const ImageInput::Seen& seen);
+  void wait_for_odometry(Waiting observed);
+  void perceive_waiting();
+  void coast_if_silent();
+  void publish(const TargetState& target);
+  void publish_markers(const TargetState& target);
+
+  Service& service_;
+  PerceptionParams params_;
+  PerceptionState state_;
+  VehicleInput vehicle_;
+  Reader<topics::TargetObservation> observation_;
+  std::optional<Writer<topics::TargetObservation>> seen_;  // of images, once some come
+  Writer<topics::TargetState> target_;
+  Writer<topics::Markers> markers_;
+  std::deque<Waiting> waiting_;  // for the odometry of their stamps
+  double delay_s_ = 0.0;         // of the last observation
+  double published_s_ = -1.0;    // stamp of the last usable state
+  double drawn_s_ = -1.0;
+  double looked_s_ = -1e9;  // stamp of the last image that was looked at
+  std::uint32_t gated_ = 0;
+  ImageInput images_;
+};
+
+/// Until the stop is requested.
+void run_perception(const ServiceOptions& options, const PerceptionParams& params, Stop& stop);
+
+}  // namespace foretrack

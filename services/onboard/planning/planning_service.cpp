@@ -1,0 +1,142 @@
+#include "services/onboard/planning/planning_service.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/planning/stage_clock.hpp"
+#include "services/convert/map.hpp"
+#include "services/convert/prediction.hpp"
+#include "services/convert/target.hpp"
+#include "services/convert/trajectory.hpp"
+#include "services/convert/visual.hpp"
+
+namespace foretrack {
+namespace {
+
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
+constexpr double kLatest_s = 0.05;   // between two plans
+constexpr double kSoonest_s = 0.02;  // the same
+constexpr double kWatchPeriod_s = 0.01;
+constexpr double kStale_s = 0.6;  // targets and predictions: their source has died
+constexpr double kMapStale_s = 2.0;
+constexpr double kDrawPeriod_s = 0.1;
+
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Ids go on growing when the service is started anew.
+std::uint64_t first_id() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
+}
+
+}  // namespace
+
+PlanningService::PlanningService(Service& service, const PlanningParams& params)
+    : service_(service),
+      params_(params),
+      vehicle_(service),
+      map_reader_(service.node()),
+      target_reader_(service.node()),
+      intention_reader_(service.node()),
+      prediction_reader_(service.node()),
+      plan_(service.node()),
+      path_(service.node()),
+      markers_(service.node()) {
+  state_.clock_s = steady_s;
+  state_.last_id = first_id();
+  service.health().set_fact("distance_low_m", std::to_string(params.place.distance_low_m));
+  service.health().set_fact("distance_high_m", std::to_string(params.place.distance_high_m));
+  Loop& loop = service.loop();
+  loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
+  loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
+  loop.on_newest(intention_reader_, convert,
+                 [this](const IntentionAssessment& intention) { intention_ = intention; });
+  loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
+    prediction_ = std::move(prediction);
+    // Not before the last plan has started: the gate keeps but one waiting.
+    const double soonest_s = std::max(kSoonest_s, params_.horizon.replan_lead_s);
+    if (std::abs(service_.clock().now_s() - planned_s_) >= soonest_s) replan();
+  });
+  loop.every(kWatchPeriod_s, [this] { replan_if_late(); });
+}
+
+void PlanningService::replan_if_late() {
+  if (std::abs(service_.clock().now_s() - planned_s_) >= kLatest_s) replan();
+}
+
+bool PlanningService::map_is_usable(double now_s) const {
+  return !map_.empty() && (map_.stamp_s == 0.0 || now_s - map_.stamp_s < kMapStale_s);
+}
+
+PlanInput PlanningService::gather(double now_s) const {
+  const auto fresh = [&](double stamp_s) { return now_s - stamp_s < kStale_s; };
+  PlanInput in;
+  in.now_s = now_s;
+  in.target = target_;
+  in.vehicle.stamp_s = -1e9;
+  if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
+  if (in.target.usable() && !fresh(in.target.stamp_s)) in.target.status = TrackStatus::kLost;
+  if (intention_ && fresh(intention_->stamp_s)) in.intention = &*intention_;
+  if (prediction_ && fresh(prediction_->stamp_s)) in.prediction = &*prediction_;
+  if (map_is_usable(now_s)) in.map = &map_;
+  return in;
+}
+
+std::string PlanningService::missing(double now_s) const {
+  if (vehicle_.age_s(now_s) > params_.horizon.vehicle_stale_s) return "no odometry";
+  if (!map_is_usable(now_s)) return "no map";
+  if (now_s - target_.stamp_s > kStale_s) return "no target state";
+  if (!prediction_ || now_s - prediction_->stamp_s > kStale_s) return "no prediction";
+  return {};
+}
+
+void PlanningService::replan() {
+  const double now_s = service_.clock().now_s();
+  planned_s_ = now_s;
+  service_.health().set_degraded(missing(now_s));
+  const PlanInput input = gather(now_s);
+  publish(plan(state_, input, params_));
+}
+
+void PlanningService::publish(const PlanResult& result) {
+  auto& message = plan_.sample();
+  to_idl(result.trajectory, message);
+  message.expansions(static_cast<std::uint32_t>(result.diagnostics.expansions));
+  message.iterations(static_cast<std::uint32_t>(result.diagnostics.iterations));
+  message.stage_times().resize(kPlanStageCount);
+  for (int i = 0; i < kPlanStageCount; ++i) {
+    message.stage_times()[i].stage(std::string(kPlanStageNames[i]));
+    message.stage_times()[i].ms(result.diagnostics.stage_ms[i]);
+  }
+  plan_.write();
+  draw(result.trajectory);
+}
+
+void PlanningService::draw(const PlannedTrajectory& plan) {
+  const double now_s = service_.clock().now_s();
+  if (std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
+  drawn_s_ = now_s;
+  if (path_.readers() > 0) {
+    to_path(plan, path_.sample());
+    path_.write();
+  }
+  if (markers_.readers() > 0) {
+    to_markers(plan, markers_.sample());
+    markers_.write();
+  }
+}
+
+void run_planning(const ServiceOptions& options, const PlanningParams& params, Stop& stop) {
+  Service service("planning", options, stop);
+  PlanningService stage(service, params);
+  service.run();
+}
+
+}  // namespace foretrack

@@ -1,0 +1,92 @@
+#include "services/onboard/prediction/prediction_service.hpp"
+
+#include <chrono>
+
+#include "services/convert/map.hpp"
+#include "services/convert/prediction.hpp"
+#include "services/convert/target.hpp"
+#include "services/convert/visual.hpp"
+
+namespace foretrack {
+namespace {
+
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
+constexpr double kSilence_s = 0.5;
+constexpr double kDeclarePeriod_s = 0.2;
+constexpr double kDrawPeriod_s = 0.1;
+
+double steady_ms() {
+  using std::chrono::duration;
+  return duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+PredictionService::PredictionService(Service& service, const PredictionParams& params)
+    : service_(service),
+      params_(params),
+      map_reader_(service.node()),
+      target_(service.node()),
+      intention_(service.node()),
+      prediction_(service.node()),
+      path_(service.node()),
+      markers_(service.node()) {
+  Loop& loop = service.loop();
+  loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
+  loop.on_newest(target_, convert, [this](const TargetState& target) {
+    taken_s_ = service_.clock().now_s();
+    predict_from(target);
+  });
+  loop.every(kDeclarePeriod_s, [this] { declare_if_silent(); });
+}
+
+// Without a map nothing is known to stand in the target's way.
+void PredictionService::predict_from(const TargetState& target) {
+  const double start_ms = steady_ms();
+  const auto& [intention, prediction] = predict(state_, target, map_, params_);
+  if (prediction.status != PredictionStatus::kNoTarget) {
+    to_idl(intention, intention_.sample());
+    intention_.write();
+  }
+  to_idl(prediction, prediction_.sample());
+  prediction_.sample().compute_ms(steady_ms() - start_ms);
+  prediction_.write();
+  draw();
+}
+
+void PredictionService::declare_if_silent() {
+  const double now_s = service_.clock().now_s();
+  const bool silent = std::abs(now_s - taken_s_) > kSilence_s;
+  service_.health().set_degraded(silent ? "no target state" : map_.empty() ? "no map" : "");
+  if (!silent) return;
+  TargetState none;
+  none.stamp_s = now_s;
+  predict_from(none);
+}
+
+void PredictionService::draw() {
+  const double now_s = service_.clock().now_s();
+  if (std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
+  drawn_s_ = now_s;
+  const auto& [intention, prediction] = state_.result;
+  if (path_.readers() > 0) {
+    to_path(prediction, path_.sample());
+    path_.write();
+  }
+  if (markers_.readers() > 0) {
+    to_markers(intention, prediction, markers_.sample());
+    markers_.write();
+  }
+}
+
+void run_prediction(const ServiceOptions& options, const PredictionParams& params, Stop& stop) {
+  Service service("prediction", options, stop);
+  PredictionService stage(service, params);
+  service.run();
+}
+
+}  // namespace foretrack

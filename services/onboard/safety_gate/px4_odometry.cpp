@@ -1,0 +1,21 @@
+#include "services/onboard/safety_gate/px4_odometry.hpp"
+
+#include "services/convert/px4.hpp"
+#include "services/convert/vehicle.hpp"
+
+namespace foretrack {
+
+Px4Odometry::Px4Odometry(Service& service)
+    : reader_(service.node()), odometry_(service.node()), transforms_(service.node()) {
+  service.loop().on_each(
+      reader_, [](const px4_msgs::msg::VehicleOdometry& message) { return from_idl(message); },
+      [this](const VehicleState& state) {
+        to_idl(state, odometry_.sample());
+        odometry_.write();
+        if (transforms_.readers() == 0) return;
+        to_transform(state, transforms_.sample());
+        transforms_.write();
+      });
+}
+
+}  // namespace foretrack

@@ -1,0 +1,91 @@
+#include "services/files/config/load_params.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace foretrack {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TrackerParams load(const std::string& text) {
+  const auto file = std::filesystem::temp_directory_path() / "foretrack_load_params.yaml";
+  std::ofstream(file) << text;
+  return load_params(file.string());
+}
+std::string error_of(const std::string& text) {
+  try {
+    load(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(LoadParams, KeepsTheDefaultsThatTheFileDoesNotName) {
+  const TrackerParams params = load("safety:\n  plan_fresh_s: 0.5\nplanning:\nprediction: {}\n");
+  EXPECT_EQ(params.safety.plan_fresh_s, 0.5);
+  EXPECT_EQ(params.safety.hover_limit_s, SafetyParams{}.hover_limit_s);
+  EXPECT_EQ(load("").tracker.plan_period_s, TrackerRates{}.plan_period_s);
+}
+
+TEST(LoadParams, NamesEveryFaultWithItsLine) {
+  const std::string error = error_of(
+      "safety:\n  plan_fresh_s: soon\n  no_such_s: 1\n  hover_limit_s: nan\n"
+      "perception: 3\nflying: {}\ntracker:\n  plan_period_s: 99\n");
+  EXPECT_THAT(error, AllOf(HasSubstr("params.yaml:2: safety.plan_fresh_s: 'soon' is not a number"),
+                           HasSubstr(":3: safety.no_such_s: no such parameter"),
+                           HasSubstr(":4: safety.hover_limit_s"),
+                           HasSubstr(":5: perception: expected a mapping"),
+                           HasSubstr(":6: flying: unknown stage; the stages are tracker"),
+                           HasSubstr(":8: tracker.plan_period_s: 99 is not in")));
+}
+
+TEST(LoadParams, RefusesAKeyGivenTwiceAndAFileThatIsNotThere) {
+  EXPECT_THAT(error_of("safety:\n  plan_fresh_s: 0.3\n  plan_fresh_s: 0.4\n"),
+              HasSubstr("given twice"));
+  EXPECT_THROW(load_params("/no/such/file.yaml"), std::invalid_argument);
+}
+
+TEST(LoadParams, ThePrintedFileLoadsAsItWasPrinted) {
+  TrackerParams params;
+  params.safety.plan_fresh_s = 0.4;
+  TrackerParams again = load(yaml_of_params(params));
+  EXPECT_EQ(yaml_of_params(again), yaml_of_params(params));
+}
+
+TEST(LoadParams, EveryShippedFileLoads) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("deploy/params")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++files;
+    EXPECT_NO_THROW(load_params(entry.path().string())) << entry.path();
+  }
+  EXPECT_GE(files, 3);
+}
+
+TEST(DescribeParams, HasARowForEveryParameterOfTheStage) {
+  TrackerParams params;
+  for (const auto& [stage, stage_rows] : stages_of(params)) {
+    const std::string text = describe_params(params, stage);
+    for (const auto& row : stage_rows) EXPECT_THAT(text, HasSubstr(std::string(row.name)));
+  }
+  EXPECT_THROW(describe_params(params, "nonsense"), std::invalid_argument);
+}
+
+TEST(StagesOf, EveryDefaultIsInItsRangeAndNamesAreUnique) {
+  TrackerParams params;
+  for (const auto& [stage, stage_rows] : stages_of(params)) {
+    EXPECT_THAT(faults_of(stage_rows), testing::IsEmpty()) << stage;
+    for (std::size_t i = 0; i < stage_rows.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        EXPECT_NE(stage_rows[i].name, stage_rows[k].name) << stage;
+  }
+}
+
+}  // namespace
+}  // namespace foretrack

@@ -1,0 +1,108 @@
+#include "services/onboard/mapping/mapping_service.hpp"
+
+#include "services/convert/image.hpp"
+#include "services/convert/map.hpp"
+#include "tests/services/onboard/neighbours.hpp"
+
+namespace foretrack::testing {
+namespace {
+
+class MappingOnDds : public ::testing::Test {
+ protected:
+  MappingOnDds() {
+    neighbours_.vehicle.position_enu_m = {0.0, 0.0, 1.5};
+    wall_.camera = CameraModel::from_fov(80, 60, rad(90.0), rad(75.0));
+    wall_.depth_m.assign(80 * 60, 2.0f);
+  }
+  void send_image() {
+    wall_.stamp_s = neighbours_.now_s();
+    to_idl(wall_, image_.sample());
+    image_.write();
+  }
+  void feed() {
+    to_idl(wall_.camera, neighbours_.now_s(), info_.sample());
+    info_.write();
+    neighbours_.send_odometry();
+    send_image();
+  }
+  bool maps() {
+    map_reader_.take_each([this](const auto& message) {
+      auto map = from_idl(message);
+      ASSERT_TRUE(map) << map.fault().text;
+      map_ = std::move(*map);
+    });
+    return !map_.empty();
+  }
+
+  Neighbours neighbours_;
+  Writer<topics::DepthImage> image_{neighbours_.node()};
+  Writer<topics::DepthCameraInfo> info_{neighbours_.node()};
+  Reader<topics::LocalMap> map_reader_{neighbours_.node()};
+  Running service_{[](const ServiceOptions& options, Stop& stop) {
+    run_mapping(options, MappingParams{}, stop);
+  }};
+  DepthImage wall_;  // a wall 2 m ahead
+  GridMap map_;
+};
+
+TEST_F(MappingOnDds, MapsAWall) {
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        return maps() && map_.is_occupied({2.0, 0.0, 1.5});
+      },
+      [&] { feed(); }));
+  EXPECT_EQ(map_.cell_at({1.0, 0.0, 1.5}), Cell::kFree);
+  EXPECT_EQ(map_.cell_at({3.0, 0.0, 1.5}), Cell::kUnknown);
+}
+
+TEST_F(MappingOnDds, GivesItsOctreeToWhoAsks) {
+  Reader<topics::OctoMap> octree(neighbours_.node());
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        const auto* message = octree.take_newest();
+        return message && message->id() == "OcTree" && !message->data().empty();
+      },
+      [&] { feed(); }));
+}
+
+TEST_F(MappingOnDds, RefusesImagesWithoutCameraOrOdometry) {
+  const std::string topic = "camera/depth/image";
+  ASSERT_TRUE(neighbours_.until([&] { return neighbours_.refused(topic, "camera_info") > 0; },
+                                [&] { send_image(); }));
+  ASSERT_TRUE(neighbours_.until([&] { return neighbours_.refused(topic, "odometry") > 0; },
+                                [&] {
+                                  to_idl(wall_.camera, neighbours_.now_s(), info_.sample());
+                                  info_.write();
+                                  send_image();
+                                }));
+  EXPECT_FALSE(maps());
+}
+
+TEST_F(MappingOnDds, RefusesGarbageAndGoesOn) {
+  ASSERT_TRUE(neighbours_.until([&] { return maps(); }, [&] { feed(); }));
+  const auto send_garbage = [&] {
+    send_image();
+    image_.sample().data().resize(17);
+    image_.write();
+    send_image();
+    image_.sample().width(4'000'000'000u);
+    image_.write();
+    send_image();
+    image_.sample().encoding("rgb8");
+    image_.write();
+    info_.sample().k()[0] = kNaN;
+    info_.write();
+  };
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        return neighbours_.refused("camera/depth/image") >= 3 &&
+               neighbours_.refused("camera/depth/camera_info") >= 1;
+      },
+      send_garbage));
+  const double stamp_s = map_.stamp_s;
+  EXPECT_TRUE(
+      neighbours_.until([&] { return maps() && map_.stamp_s > stamp_s + 0.5; }, [&] { feed(); }));
+}
+
+}  // namespace
+}  // namespace foretrack::testing

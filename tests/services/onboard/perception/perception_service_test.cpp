@@ -1,0 +1,121 @@
+#include "services/onboard/perception/perception_service.hpp"
+
+#include "core/simulator/landmark_camera.hpp"
+#include "services/convert/target.hpp"
+#include "tests/services/onboard/neighbours.hpp"
+
+namespace foretrack::testing {
+namespace {
+
+class PerceptionOnDds : public ::testing::Test {
+ protected:
+  PerceptionOnDds() { neighbours_.vehicle.position_enu_m = {0.0, 0.0, 1.5}; }
+
+  TargetObservation position_at(double stamp_s) const {
+    TargetObservation o;
+    o.stamp_s = stamp_s;
+    o.kind = TargetObservation::Kind::kPosition;
+    o.position_enu_m = {3.0, 0.5, 1.0};
+    o.covariance_m2 = Mat3::Identity() * 0.01;
+    return o;
+  }
+  // As the camera of a vehicle at rest sees a person 3 m ahead.
+  TargetObservation landmarks_at(double stamp_s) const {
+    LandmarkCameraParams params;
+    params.delay_s = 0.0;
+    LandmarkCamera camera = make_landmark_camera(params, 1);
+    PersonState person;
+    person.stamp_s = stamp_s;
+    person.position_enu_m = {3.0, 0.0, 1.0};
+    VehicleState vehicle = neighbours_.vehicle;
+    vehicle.stamp_s = stamp_s;
+    return observe(camera, World{}, vehicle, person, 1.75).value();
+  }
+  void send(const TargetObservation& observation) {
+    to_idl(observation, observation_.sample());
+    observation_.write();
+  }
+  void feed(double delay_s = 0.0) {
+    neighbours_.send_odometry();
+    send(position_at(neighbours_.now_s() - delay_s));
+  }
+  // Takes what came; true if the newest state has the status.
+  bool says(TrackStatus status) {
+    target_.take_each([this](const auto& message) {
+      const auto state = from_idl(message);
+      ASSERT_TRUE(state) << state.fault().text;
+      went_back_ |= state->stamp_s < newest_.stamp_s - 1e-9 && newest_.usable();
+      newest_ = *state;
+      ++heard_;
+    });
+    return heard_ > 0 && newest_.status == status;
+  }
+
+  Neighbours neighbours_;
+  Writer<topics::TargetObservation> observation_{neighbours_.node()};
+  Reader<topics::TargetState> target_{neighbours_.node()};
+  Running service_{[](const ServiceOptions& options, Stop& stop) {
+    run_perception(options, PerceptionParams{}, stop);
+  }};
+  TargetState newest_;
+  int heard_ = 0;
+  bool went_back_ = false;
+};
+
+TEST_F(PerceptionOnDds, SaysThatItHasNeverSeenTheTarget) {
+  EXPECT_TRUE(neighbours_.until([&] { return says(TrackStatus::kNone); }));
+}
+
+TEST_F(PerceptionOnDds, TracksWhatIsObserved) {
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kTracking); }, [&] { feed(); }));
+  EXPECT_LT((newest_.position_enu_m - Vec3(3.0, 0.5, 1.0)).norm(), 0.2);
+}
+
+TEST_F(PerceptionOnDds, CoastsAndThenLosesATargetWithoutEverGoingBackInTime) {
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kTracking); }, [&] { feed(0.05); }));
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kCoasting); }));
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kTracking); }, [&] { feed(0.05); }));
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kLost); }));
+  EXPECT_FALSE(went_back_);
+}
+
+TEST_F(PerceptionOnDds, WaitsForTheOdometryOfAnImage) {
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kNone); },
+                                [&] { neighbours_.send_odometry(); }));
+  // Each image is sent before the odometry of its stamp.
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kTracking); },
+                                [&] {
+                                  send(landmarks_at(neighbours_.now_s()));
+                                  neighbours_.send_odometry();
+                                }));
+  EXPECT_LT((newest_.position_enu_m - Vec3(3.0, 0.0, 1.0)).norm(), 0.5);
+}
+
+TEST_F(PerceptionOnDds, RefusesGarbageAndGoesOn) {
+  const auto send_garbage = [&] {
+    auto& message = observation_.sample();
+    to_idl(position_at(neighbours_.now_s()), message);
+    message.position_m()[0] = kNaN;
+    observation_.write();
+    to_idl(landmarks_at(neighbours_.now_s()), message);
+    message.landmarks().resize(500);
+    observation_.write();
+    message.kind(77);
+    observation_.write();
+    message = {};
+    observation_.write();
+    send(position_at(neighbours_.now_s() + 100.0));
+    neighbours_.odometry().sample().pose().pose().orientation() = {};
+    neighbours_.odometry().write();
+  };
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        return neighbours_.refused("target/observation") >= 5 &&
+               neighbours_.refused("odometry") > 0;
+      },
+      send_garbage));
+  ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kTracking); }, [&] { feed(); }));
+}
+
+}  // namespace
+}  // namespace foretrack::testing
