@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many lock-step flights of one scenario, a seed each, and their metrics together.
 //   flight_bench --scenario street_blocks --seeds 20 --speed 2.0 --params tuned.yaml
 // The seed also sets the generated world, unless --same-world. One line a flight, then the totals.

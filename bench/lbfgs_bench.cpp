@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Our L-BFGS against liblbfgs on the same trajectory problems, costs and stopping rule. liblbfgs
 // has no preconditioner; both start from the smoothed first guess. Usage: lbfgs_bench [problems]
 #include <lbfgs.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of one update of the map, in CPU time: a vehicle flies through rooms at 2 m/s.
 #include <algorithm>
 #include <cstdio>

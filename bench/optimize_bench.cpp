@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CPU time of one trajectory optimisation on random tracking problems.
 // Usage: optimize_bench [problems]
 #include <algorithm>

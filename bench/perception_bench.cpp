@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Accuracy of the estimate of a walking person, and the cost of one observation in CPU time.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CPU time of one replan, stage by stage, and what the planning is worth, in closed loop with a
 // target that makes sharp turns in dense worlds. Usage: plan_bench [--json] [--replans N] [--seeds
 // N]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CPU time of one image: tracked, and with the detector, for each model; of the calling thread.
 //   pose_bench [PICTURE] [IMAGES]
 #include <algorithm>

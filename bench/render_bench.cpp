@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of rendered camera images, and a look at them.
 //   render_bench [--scenario NAME] [--seed N] [--person NAME] [--at S]... [--picture FILE]
 #include <cstdio>

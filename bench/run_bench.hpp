@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // main() of a bench: options, then the work; what goes wrong is said, not dumped.
 #pragma once
 

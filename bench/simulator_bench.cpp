@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of the simulator, in CPU time: steps, depth images, sight, the known map, a route.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Compiler settings and the three kinds of target: a core stage, a service library, a test.
 
 set(CMAKE_CXX_STANDARD 20)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DROOT=<idl folder> -DOUT=<gen folder> -DFASTDDSGEN=... -P generate.cmake
 # All types in one call, for a start of Java takes longer than the work. fastddsgen writes flat into
 # its output folder, so no two files may share a name; and it may report an error and still exit 0,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Our landmarks against the original's (@mediapipe/pose in headless Chromium) on pictures.
 //   node bench/blazepose/compare.mjs [--model 0|1|2] [--program foretrack_perceive] [PICTURE.png...]
 // Without pictures: those of the tests. Ends with 1 if the median of a picture is above 1 px.

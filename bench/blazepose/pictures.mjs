@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The photographs that the comparisons with the original use, as far as they are installed.
 import {existsSync} from 'node:fs';
 import {dirname, join} from 'node:path';

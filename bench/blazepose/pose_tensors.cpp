@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What our networks make of tensors, for tensors.mjs to compare with what the original runtime
 // does.
 //   pose_tensors FOLDER [--random N] [PICTURE...]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the original (@mediapipe/pose, in headless Chromium) sees in pictures, as JSON.
 //   node reference.mjs [--model 0|1|2] [--frames N] [--compact] [--gpu] [--chromium PROGRAM] PICTURE.png...
 // Each picture is shown N times from a reset: the first time it is detected, then it is tracked.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The networks by themselves: the same tensors through TensorFlow Lite and through ours.
 //   node bench/blazepose/tensors.mjs [--json] [--random N] [--program pose_tensors] [PICTURE.png...]
 // TensorFlow Lite is Google's WebAssembly build (npm: @tensorflow/tfjs-tflite, Apache-2.0), fetched

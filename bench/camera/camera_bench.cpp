@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the pose network makes of rendered people, and flights that see by it.
 //   camera_bench [--walks N] [--hidden N] [--crossings N] [--flights N] [--first SEED] [--params
 //   FILE] [--json]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Others who come near the person who is followed: is it still the same person afterwards?
 #pragma once
 

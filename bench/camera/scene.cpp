@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "bench/camera/scene.hpp"
 
 #include "core/perception/expected_place.hpp"

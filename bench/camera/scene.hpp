@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One rendered person, one camera, one perception.
 #pragma once
 

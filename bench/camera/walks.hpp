@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rendered people who walk before the camera, and what the pose network makes of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole onboard loop on camera images in real time: rendered beforehand, replayed at 30 a
 // second beside depth images and odometry. What is found in a second, from an image's stamp to the
 // setpoint that it caused, and the processor's time: that of the vehicle's services, and apart from

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From an observation on the bus to the first setpoint that it caused, with every service running:
 // wall time of each stage's answer after the observation was delivered, and what the vehicle's
 // process costs. Usage: bench_dds_latency [known|depth [seconds [scenario [file]]]]; every single

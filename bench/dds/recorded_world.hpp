@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flight that was rendered beforehand, and is put on the bus again at its own pace.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wall time from what was seen to a stage's answer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One-way latency, losses and processor time between two processes, by topic class, under the QoS
 // profiles that $FORETRACK_SHARE/qos/profiles.xml says.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stochastic gradient descent (Kingma and Ba 2015, "Adam"), seeded.
 #pragma once
 

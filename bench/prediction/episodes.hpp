@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // People who walk, as they really went and as a noisy tracker saw them: what prediction is fitted
 // and measured on.
 #pragma once

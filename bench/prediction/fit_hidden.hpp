@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adds hidden units to a fitted logistic model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fits the calibrated intention probabilities and writes core/prediction/calibration_weights.cpp.
 // Usage: fit_intention RECORDED_TRACKS OUT.cpp
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fits what the last moments tell of the next ones and writes
 // core/prediction/short_term_weights.cpp. Fit the intentions again afterwards: they are assessed of
 // the motion that this tells. Usage: fit_motion RECORDED_TRACKS OUT.cpp

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fits the network of core/prediction/short_term_motion.hpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maximum likelihood of the multinomial logistic model of core/prediction/calibrate.hpp.
 #pragma once
 

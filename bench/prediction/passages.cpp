@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "bench/prediction/passages.hpp"
 
 #include "core/common/random.hpp"

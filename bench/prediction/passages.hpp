@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mazes of straight passages: bends, junctions and dead ends, as indoors.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Reliability of the intention probabilities, from the report of `predict_bench --json`.
 
 Usage: plot_reliability.py REPORT.json OUT.png

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures prediction on held-out walks, simulated and recorded; or, to tune by, on such walks as
 // the intentions were fitted on.
 // Usage: predict_bench [--tracks FILE] [--json FILE] [--training]

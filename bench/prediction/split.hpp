@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is fitted on and what is held out: never the same world, nor the same pedestrian.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Labelled moments of an episode, with what prediction knew and said.
 #pragma once
 

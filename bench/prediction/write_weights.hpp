@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fitted numbers as C++ source.
 #pragma once
 

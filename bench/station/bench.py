@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """bench.py [BIN [SECONDS [BLOCK_S [CLIENTS [FOLDER]]]]]: what clients of the station cost the services on board.
 
 One flight with the station beside it. So many clients are connected throughout; in turns of BLOCK_S they subscribe to

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the flight controller says of the vehicle's battery.
 #pragma once
 

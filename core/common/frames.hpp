@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The only place where frames are converted: world ENU ↔ NED, body FLU ↔ FRD, body FLU ↔ optical.
 #pragma once
 

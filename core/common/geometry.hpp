@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names for the fixed-size vectors used everywhere, and angles in the plane.
 #pragma once
 

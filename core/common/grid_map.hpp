@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The voxel grid that prediction and planning read: what is occupied, what is unknown, and how far
 // each is.
 #pragma once

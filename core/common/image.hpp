@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A colour image, as the pose network reads it and the simulated camera renders it.
 #pragma once
 

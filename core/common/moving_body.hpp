@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What moves where the vehicle flies: people and other vehicles. Search, corridor, optimiser, check
 // and gate all keep clear of this one kind of thing.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Intentions, their assessment, and the paths that would follow.
 #pragma once
 

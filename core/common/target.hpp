@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is seen and what is believed of the person who is followed.
 #pragma once
 

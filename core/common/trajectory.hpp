@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Piecewise quintic trajectories, angle plans, and the planned trajectory that is published and
 // flown.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vehicle's state, its recent history, and what is commanded to its flight controller.
 #pragma once
 

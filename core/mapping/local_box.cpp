@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/mapping/local_box.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dense box of a MappingState: its place, its cells, and the octree behind it.
 #pragma once
 

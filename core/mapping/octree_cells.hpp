@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells of an octree by integer index: cell i covers [i, i + 1) · resolution on each axis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Octrees to and from bytes: octomap_msgs/Octomap and .bt files; octrees to dense grids.
 #pragma once
 

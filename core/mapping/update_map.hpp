@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth images → the map around the vehicle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds-checked reading of FlatBuffers (https://flatbuffers.dev/internals): every position that a
 // file names is checked before it is read, so that no file can lead outside its own bytes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Running a convolutional network: the one place that a runtime is exchanged at.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A convolutional network as a list of layers, whatever file it came from.
 #pragma once
 

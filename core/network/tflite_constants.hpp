@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constant tensors of TensorFlow Lite files as plain floats.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the person who is followed wears: tells them from somebody else who is as near.
 #pragma once
 

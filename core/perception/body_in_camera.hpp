@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the torso is in the camera's frame, for whoever has no vehicle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Landmarks → pose of the human body in the camera (§III.A: perspective-n-point).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where there are people in an image: BlazePose's detector.
 #pragma once
 

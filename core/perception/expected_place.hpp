@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the person who is followed should be in an image.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The landmarks of the person in a region of an image: BlazePose's second network.
 #pragma once
 

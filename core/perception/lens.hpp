@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a lens does to image points, undone: the poses assume a camera without distortion.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Target observations → the target's estimated state (paper §III.A).
 #pragma once
 

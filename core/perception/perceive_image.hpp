@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera images → body landmarks of the person who is followed (paper §III.A: BlazePose).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is known of a person in the image, and how unlike them a pose is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/perception/pose_network.hpp"
 
 #include <array>

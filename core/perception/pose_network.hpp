@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two networks of BlazePose: the detector of people and the landmarks of one of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/perception/sample_image.hpp"
 
 #include <algorithm>

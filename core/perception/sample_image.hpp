@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A region of an image, resampled to the square that a network reads.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Kalman filter of the target: position, velocity and body yaw.
 #pragma once
 

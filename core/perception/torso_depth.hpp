@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far away a depth image says that the torso is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points on the torso in an image, to sample what is there.
 #pragma once
 

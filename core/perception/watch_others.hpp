@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who else is near the person who is followed.
 #pragma once
 

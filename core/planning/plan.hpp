@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planning a trajectory that keeps the person in view (paper §V), checked before it is given out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/planning/plan_params.hpp"
 
 #include "core/planning/optimize/optimize_trajectory.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/planning/report_plan.hpp"
 
 namespace foretrack {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a plan tells beside the trajectory: to be drawn, and how much work it was.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long each stage took, if the caller gives a clock; core itself reads none.
 #pragma once
 

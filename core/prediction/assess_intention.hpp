@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scores of the intentions (paper §III.C). The set is open: one row of the table is one intention.
 #pragma once
 

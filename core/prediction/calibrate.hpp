@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From evidence to probabilities that mean what they say.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Written by bench/prediction/fit_intention; do not edit.
 #include "core/prediction/calibrate.hpp"
 

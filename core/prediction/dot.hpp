@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scalar product of rows of fitted weights with features.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Intention-driven hybrid A* (paper §IV): one path for one root intention.
 #pragma once
 

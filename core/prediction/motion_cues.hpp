@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the target's track alone says about its intention.
 #pragma once
 

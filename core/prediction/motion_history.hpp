@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last second or so of a target, thinned to 50 states a second.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a person moves while one intention lasts (paper Tab. I).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every number that the prediction stage may be tuned by.
 #pragma once
 

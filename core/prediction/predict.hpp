@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The prediction stage: what the target means to do, and where that would lead.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One path per intention, with its probability and covariance.
 #pragma once
 

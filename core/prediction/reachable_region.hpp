@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the target may be within a second (paper §III.B).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the last moments of a walk tell of the present and the next one. A filter lags behind a
 // target that turns or brakes, and the chest turns ahead of the path: a small network, fitted on
 // such walks, reads both.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Written by bench/prediction/fit_motion; do not edit.
 #include "core/prediction/short_term_motion.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How often the target has turned and stopped so far: who seldom did is less likely to now.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The safety gate: the only place from which setpoints leave. It flies checked trajectories and,
 // when they cease to come, steps down a ladder: track, coast, hover, brake, silent.
 #pragma once

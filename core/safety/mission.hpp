@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an operator may order, and what the gate asks of the flight controller.
 #pragma once
 

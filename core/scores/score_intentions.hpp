@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How good the probabilities of the intentions were.
 #pragma once
 

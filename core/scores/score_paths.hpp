@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How good predicted paths were, beside constant velocity and constant turn.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the target really did: its intentions, turns and stops as only the future can tell them.
 #pragma once
 

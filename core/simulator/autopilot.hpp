@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of a flight controller that decides who flies: PX4's offboard rules.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A body with the 33 joints of BlazePose.
 #pragma once
 

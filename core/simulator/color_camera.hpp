@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A colour camera that sees the world, the sky and the person, with depth from the same pass.
 #pragma once
 

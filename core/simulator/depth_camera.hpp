@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A depth camera that sees the world, the ground and the person.
 #pragma once
 

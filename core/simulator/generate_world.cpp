@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Worlds by kind and seed.
 #include <algorithm>
 

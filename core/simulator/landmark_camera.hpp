@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A camera and a pose network in one: images of the person as noisy landmarks.
 #pragma once
 

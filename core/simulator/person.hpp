@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The person who is followed: walks, stops suddenly, turns the shoulders before the path turns.
 #pragma once
 

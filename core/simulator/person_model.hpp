@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A textured person whose limbs follow the joints of the simulated one.
 #pragma once
 

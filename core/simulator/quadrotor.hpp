@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A quadrotor as a rigid body: four lagging motors, drag in the wind, and the cascade of a flight
 // controller that flies setpoints.
 #pragma once

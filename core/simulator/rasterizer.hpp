@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A z-buffer: convex polygons in, colours and depths out, each pixel shaded once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pose in which a person was modelled, made simple.
 #pragma once
 

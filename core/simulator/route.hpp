@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Routes with sharp turns around what stands in a world.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that decides a simulated flight: a plain value, read from YAML by services/config.
 #pragma once
 

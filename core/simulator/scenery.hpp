@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world as textured surfaces in the daylight.
 #pragma once
 

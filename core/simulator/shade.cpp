@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours of the drawn facets: perspective-correct texture coordinates, the mip level by their
 // change from pixel to pixel, bilinear texels, light.
 #include <algorithm>

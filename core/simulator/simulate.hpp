@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulator's façade: world, person, vehicle, autopilot and cameras, one step at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures on surfaces, and those that the simulated world is made of.
 #pragma once
 

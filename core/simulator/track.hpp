@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded pedestrians: text rows into tracks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a person moves over the ground as a function of time: along a route with sharp corners, or as
 // a recorded track went.
 #pragma once

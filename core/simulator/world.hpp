@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world of boxes and upright cylinders: exact rays and distances, and its voxel map.
 #pragma once
 

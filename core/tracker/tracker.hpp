@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One step through all stages, in lock-step and without DDS: what the benchmark, an embedder and
 // the lock-step flight call. The stages meet here and nowhere else.
 #pragma once

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Fetches the pose networks (BlazePose, Apache-2.0) with npm, checks them, and puts them into a folder.
 # Usage: fetch.sh [FOLDER]             (default: models beside the sources); nothing if they are there
 #        fetch.sh --package FOLDER     the whole package, for bench/blazepose

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Makes report.html, report.md and plots/*.png of a bench: python3 bench_report.py FOLDER [COMMAND].
 
 Reads summary.json and details.json. Exit status 3: matplotlib or jinja2 is missing.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Draws flight.png from a flight's log.csv and scenario.json: python3 plot_flight.py FOLDER.
 
 Exit status 3: matplotlib is missing.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the ROS 2 package foretrack_msgs from the IDL contract, or checks that it still matches.
 
     messages.py write    rewrites foretrack_msgs/msg/*.msg from idl/foretrack_msgs/msg/*.idl

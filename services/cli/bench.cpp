@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack bench: the experiments, by many flights on all cores.
 #include "services/offline/experiments/bench.hpp"
 

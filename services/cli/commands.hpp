@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The subcommands of the program. A command adds its options to its CLI::App and returns what to
 // run once they are parsed; the returned number is the program's exit status.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack demo: a flight in simulation, every service in its own process.
 #include "services/operator/demo.hpp"
 

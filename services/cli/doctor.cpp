@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack doctor: why does the vehicle not move?
 #include <cstdio>
 #include <memory>

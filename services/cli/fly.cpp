@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack fly: one lock-step flight into a folder.
 #include "services/offline/flight/fly.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack: one program, a subcommand a service or tool.
 #include <cstdio>
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack monitor: one vehicle, live, in the terminal.
 #include <cstdio>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack params, foretrack scenarios: what can be set.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack perceive: hands over to its own program, which lies beside this one.
 #include <unistd.h>
 

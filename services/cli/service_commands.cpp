@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The subcommands that speak DDS: the services of the vehicle, one by one or together, and the
 // simulator.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack station, record, replay: the ground station and its recordings.
 #include "services/ground_station/station.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack topics: every topic of the contract, live.
 #include <fmt/format.h>
 

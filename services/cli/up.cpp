@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack up: every service and the simulator, each as its own process, until Ctrl-C.
 #include <chrono>
 #include <cstdio>

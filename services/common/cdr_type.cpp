@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/common/cdr_type.hpp"
 
 #include <fastcdr/Cdr.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One type support for every message; a malformed sample is a rejected one, never an exception.
 #pragma once
 

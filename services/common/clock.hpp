@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What time it is: the system's, or the simulator's.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The DDS halves of Node, its endpoints and Stop. Only .cpp files of this folder include it.
 #pragma once
 

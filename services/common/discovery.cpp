@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What discovery tells, and what we tell ROS 2's tools.
 #include <algorithm>
 #include <chrono>

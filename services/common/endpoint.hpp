@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a writer or reader knows of itself, and the untyped half of both.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ServiceHealth once a second, and the same as a ROS 2 diagnostic.
 #pragma once
 

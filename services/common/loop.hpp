@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One thread, one wait-set: samples and timers call back until the stop.
 #pragma once
 

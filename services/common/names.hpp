@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a topic's name becomes the name on the wire, as ROS 2 and PX4 spell it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A service on the bus: one DDS participant, its topics, and what went wrong with its peers.
 #pragma once
 

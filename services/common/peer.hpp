@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who else is in the domain, as discovery tells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/common/process_stats.hpp"
 
 #include <sys/resource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rate of a counter, over the last seconds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Endpoints of any topic without its type: samples are CDR bytes, header included.
 #pragma once
 

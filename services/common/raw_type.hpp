@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A type support for any type: its samples are their CDR bytes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A typed reader of one topic: newest wins, bad samples are counted and never seen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every service is made of: node, loop and health.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a loop is told to end: by a signal, by another thread, by itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every topic: its type, its name and its quality of service. Nobody else spells a topic string.
 #pragma once
 

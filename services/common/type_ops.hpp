@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the middleware needs to know of a message type, without a DDS header.
 #pragma once
 

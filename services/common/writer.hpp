@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A typed writer of one topic.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a message must satisfy before its values reach core. Bounds of the IDL are not enforced on
 // the wire, so that every size, range and stamp is checked here, once.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stamps, headers, vectors and poses: the parts that all messages share.
 #pragma once
 

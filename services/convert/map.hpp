@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps: the box of voxels around the vehicle, and the whole octree for others.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The flight controller's messages: NED and FRD, microseconds of its clock, NaN = not controlled.
 #pragma once
 

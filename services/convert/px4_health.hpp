@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the flight controller says of its battery, and of why it would refuse offboard mode.
 #pragma once
 

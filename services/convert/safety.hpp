@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operator's orders and what the safety gate says of itself.
 #pragma once
 

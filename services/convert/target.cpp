@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/convert/target.hpp"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The person: observations and the estimated state.
 #pragma once
 

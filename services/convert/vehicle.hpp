@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vehicle's state as ROS 2 speaks it.
 #pragma once
 

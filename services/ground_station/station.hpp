@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ground station: samples from the bus or a recording on one side, a web server on the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The station's own view of everything, as JSON: the channel /station/status and GET /api/status.
 #pragma once
 

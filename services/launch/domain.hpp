@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // DDS domains that nobody else on this machine uses.
 #pragma once
 

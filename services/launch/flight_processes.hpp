@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which processes make a flight, and their arguments.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs services as processes of this program, restarts those that crash, and leaves nothing behind.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What each process of a flight used, over the flight.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files that the middleware's shared-memory transport keeps in /dev/shm.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the onboard services share: the vehicle's state.
 #pragma once
 

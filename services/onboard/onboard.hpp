@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All services of the vehicle in one process, a thread each.
 #pragma once
 

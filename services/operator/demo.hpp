@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole flight in simulation: starts it, watches it, measures it, writes it down.
 #pragma once
 

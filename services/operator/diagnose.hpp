@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why does the vehicle not move? Walks the chain sensor → target → map → prediction → plan → gate
 // → autopilot and names what is wrong, first cause first.
 #pragma once

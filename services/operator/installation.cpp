@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/operator/installation.hpp"
 
 #include <fmt/format.h>

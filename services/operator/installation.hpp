@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether the program finds what it needs on this machine, before any DDS.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hears one vehicle's topics and keeps the newest of each.
 #pragma once
 

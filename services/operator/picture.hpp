@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that the ground station knows of one flight at one moment.
 #pragma once
 

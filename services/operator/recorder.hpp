@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a flight down, from what comes over DDS, in the rows that the metrics are made of.
 #pragma once
 

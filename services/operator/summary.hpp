@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a demo flight was like: one value, as a table for people and as JSON for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every topic of topics.hpp at once: what comes, how fast, from how many.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The flight as text: a screen for a terminal, a line for a log, JSON for programs.
 #pragma once
 

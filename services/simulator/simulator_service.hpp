@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulator on the bus: vehicle, autopilot and cameras out, PX4's inputs in, at a steady pace.
 #pragma once
 

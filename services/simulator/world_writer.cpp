@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/simulator/world_writer.hpp"
 
 #include "services/convert/geometry.hpp"

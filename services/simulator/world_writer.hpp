@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a world and its vehicle put on the bus: sensors, autopilot, truth.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzz target: any bytes as an image's size, step, encoding and pixels.
 #include <cstdint>
 #include <cstring>

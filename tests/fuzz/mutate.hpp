@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fuzzer for compilers without one: seeded mutations of a good input.
 #pragma once
 

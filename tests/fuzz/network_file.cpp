@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzz target: any bytes as a network's file. What is accepted must also run.
 #include <cstdint>
 #include <span>

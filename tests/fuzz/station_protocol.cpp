@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes into what reads the network: messages of WebSocket clients, ranges, tokens, recordings.
 // With clang: -DFORETRACK_FUZZ=ON builds it for libFuzzer. Else the test feeds it seeded changes of
 // valid messages.

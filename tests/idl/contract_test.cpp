@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The IDL files stay within what every tool in use can read, and the README names every topic.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DIDL=<in> -DOUT=<out> -P adapt.cmake
 # One of our IDL files as a vendor's own compiler needs it to give ROS 2's type names on the wire:
 # pkg::msg::dds_::Name_. fastddsgen does this by an option, Cyclone DDS has none.

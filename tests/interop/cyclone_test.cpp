@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stages speak with a participant of another vendor, built from the same IDL files.
 #include "services/launch/domain.hpp"
 #include "tests/system/program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A foreign DDS participant, by another vendor's library: hears the stages' topics and says where a
 // person is. Prints one line of JSON and ends when it has heard enough, or time is up.
 //   interop_peer DOMAIN VEHICLE SECONDS listen          until all four topics were heard 10 times

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A person of boxes, one a bone, to be rendered where no textured people are installed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole flight, as `./run demo` starts it.
 #include "services/launch/domain.hpp"
 #include "tests/system/program.hpp"

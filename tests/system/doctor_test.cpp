@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a user is told when something is missing.
 #include "services/launch/domain.hpp"
 #include "tests/system/program.hpp"

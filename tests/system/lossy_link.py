@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """lossy_link.py NAME HERE THERE LOSS DELAY_S BYTES_S: a slow network link that loses packets.
 
 For TCP on this machine: makes the network device NAME with the address HERE; who connects to THERE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every service on the vehicle is killed in turn during one flight.
 #include "services/launch/domain.hpp"
 #include "services/launch/flight_processes.hpp"

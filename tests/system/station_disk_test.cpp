@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recording onto a disk that fills up, while a vehicle flies.
 #include <sys/mount.h>
 

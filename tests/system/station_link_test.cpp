@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ground station where the way to it is the trouble: others on the network, lost packets.
 #include "services/launch/domain.hpp"
 #include "tests/system/station_program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The station's page in a browser, on a bus where somebody does not keep to the contract.
 #include "services/common/node.hpp"
 #include "services/common/raw.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ground station under test, and the programs that read it as Foxglove does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // After a pause in which only one of two sides forgot the other, all is heard again.
 #include <cstdlib>
 #include <map>

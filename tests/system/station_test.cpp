@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ground station beside a flight: what it passes on, records, replays and commands.
 #include <future>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Yaw, and a gimbal's pitch, along a trajectory.
 #pragma once
 

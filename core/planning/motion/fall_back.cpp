@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/planning/motion/fall_back.hpp"
 
 #include <algorithm>

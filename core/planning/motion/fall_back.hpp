@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is flown when no new plan passed the check.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the vehicle may do, and the states at which pieces of its motion join.
 #pragma once
 

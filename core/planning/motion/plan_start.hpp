@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state from which a plan starts.
 #pragma once
 

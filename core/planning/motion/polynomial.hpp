@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact extrema of polynomials of low degree: real roots in an interval, and bounds.
 #pragma once
 

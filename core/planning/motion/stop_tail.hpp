@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stop: from any moving state to rest.
 #pragma once
 

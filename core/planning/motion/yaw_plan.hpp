@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An angle that follows a bearing within rate and acceleration limits: yaw, and a gimbal's pitch.
 #pragma once
 

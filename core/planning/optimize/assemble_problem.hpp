@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The optimisation problem of one plan: corridor, first guess, boundary states.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unconstrained variables ↔ piece durations that are positive and together last at least a given
 // time (paper §V.B: the trajectory must reach the horizon).
 #pragma once

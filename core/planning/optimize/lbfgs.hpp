@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limited-memory BFGS with a weak-Wolfe line search, for small smooth problems solved often.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MINCO, s = 3 (paper §V.B): the least-jerk trajectory through given waypoints in given durations,
 // and the gradients that it passes on.
 //

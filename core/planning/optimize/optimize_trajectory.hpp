@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The intention-aware spatial-temporal optimisation (paper §V.B, §V.C).
 #pragma once
 

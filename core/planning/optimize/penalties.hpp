@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The penalties of the optimisation (paper §V.C), each with its analytic gradient. A constraint
 // G ≤ 0 costs weight · max(G, 0)³.
 #pragma once

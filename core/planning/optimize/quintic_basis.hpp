@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The quintic between two states, in normalised time α = t / T: p(α) = h(α) · Q with
 // Q = (p0, T v0, T² a0, p1, T v1, T² a1).
 #pragma once

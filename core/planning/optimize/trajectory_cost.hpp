@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cost of a trajectory over inner waypoints and durations (paper §V.C), for the optimiser.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The places that see the target, and their visible regions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/planning/see/target_belief.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the target is expected to be, on the clock of a new trajectory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the optimiser is to keep, as samples of the target's paths.
 #pragma once
 

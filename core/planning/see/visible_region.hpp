@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sectors in which the predicted target is seen (paper §V.A).
 #pragma once
 

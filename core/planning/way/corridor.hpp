@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convex pieces of free space around path segments (after Liu et al. 2017).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From waypoints to the few segments of a corridor, with times.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The level at which the vehicle flies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays through the distance grids: they jump by the free distance instead of visiting every cell.
 #pragma once
 

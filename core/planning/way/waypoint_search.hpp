@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Path searches to places that see the predicted target (paper §V; the occlusion-free region).
 #pragma once
 

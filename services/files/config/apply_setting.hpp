@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A value put into a YAML document from outside, as in --set target.speed_m_s=2.0.
 #pragma once
 

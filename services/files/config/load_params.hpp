@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameter files: one YAML with a section per stage, differences from the defaults only.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenario files: YAML into the simulator's Scenario. docs/scenarios.md has every key.
 #pragma once
 

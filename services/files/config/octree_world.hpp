@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An OctoMap file as a world of boxes.
 #pragma once
 

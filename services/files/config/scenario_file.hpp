@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a scenario file says, before the files that it names are read and anything is drawn.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/files/models/pose_models.hpp"
 
 #include <openssl/evp.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files of the pose networks: where they are, and whether they are what they should be.
 #pragma once
 

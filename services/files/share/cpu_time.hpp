@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CPU time of the calling thread: what a measurement on a busy machine can rely on.
 #pragma once
 

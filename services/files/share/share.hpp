@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the files are that ship with the program: scenarios, parameters, QoS profiles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/files/yaml/yaml_reader.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads YAML that users write: every fault with its file, line and key, all of them at once.
 #pragma once
 

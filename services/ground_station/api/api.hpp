@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The requests under /api/ and /recordings/, and who may make them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/ground_station/bus/bus.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The DDS side: follows discovery, reads every topic as bytes, counts what comes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stream of samples: a topic of one type, as clients and recordings see it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the contract says of topics: services/common/topics.hpp as a table.
 #pragma once
 

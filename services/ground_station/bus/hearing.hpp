@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who is heard, and who lives without being heard.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What discovery knows, by topic: who writes and reads it, with which type, and who cannot match.
 #pragma once
 

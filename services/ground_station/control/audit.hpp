@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who ordered what, and who was refused: a line of JSON each, in a file that only grows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators' orders to vehicles: leases, commands, and what the safety gates make of them.
 #pragma once
 

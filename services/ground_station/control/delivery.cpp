@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How an order gets to the gate: sent, answered, sent again, given up.
 #include <algorithm>
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Foxglove WebSocket protocol, version 1: what is said, without a socket.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boost.Beast's parts that the station uses. Its bodies are compiled once, in beast.cpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One TCP connection: requests, until one of them makes it a WebSocket. Included by the two files
 // that instantiate it, for plain and for encrypted streams.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files over HTTP: the page's bundle, and recordings with ranges.
 #pragma once
 

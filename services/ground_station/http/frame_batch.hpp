@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of the hub as WebSocket frames (RFC 6455, section 5.2), several in one gathered write.
 #pragma once
 

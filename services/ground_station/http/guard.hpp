@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who may talk to the station: exact host names, exact origins, the token.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Between the library's requests and ours, the same for every kind of stream.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The web server: one port for pages, requests and WebSockets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the server shares with its connections.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stream that two may write to, one after the other: what WebSockets say of themselves (pings,
 // farewells) and the station's own frames, several in one system call.
 #pragma once

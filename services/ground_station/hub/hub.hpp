@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Channels on one side, clients on the other: who is subscribed to what, and gets it.
 #pragma once
 

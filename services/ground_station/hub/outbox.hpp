@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What waits to be sent to one client: bounded in bytes, newest wins, and no topic holds up
 // another.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MCAP's records (https://mcap.dev/spec): op codes, and how values are laid out in bytes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads an MCAP file from its beginning to its end, or to where it breaks off.
 #pragma once
 

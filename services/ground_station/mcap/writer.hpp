@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes one MCAP file: chunks compressed by zstd, message and chunk indexes, checksums.
 #pragma once
 

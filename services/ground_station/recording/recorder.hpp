@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records every channel to MCAP files, in a thread of its own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What surrounds recordings: their metadata, and files that were not finished.
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plays a recording: to the hub as if it were live, or back onto the bus.
 #pragma once
 

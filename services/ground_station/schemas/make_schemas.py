@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """make_schemas.py OUT.cpp: writes the table of schemas (schema_table.hpp) from idl/*/msg/*.idl.
 
 Our own types become one flat IDL text each (omgidl), those of ROS 2 and PX4 the text that rosbag2 and Foxglove know as

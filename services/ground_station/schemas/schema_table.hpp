@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table that make_schemas.py writes from idl/ at build.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a sample of each type that we know looks like, for programs that decode it.
 #pragma once
 

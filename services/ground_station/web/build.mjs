@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bundles the page to dist/: everything local, the scene and the plots in chunks of their own.
 import { build } from "esbuild";
 import { cpSync, mkdirSync, rmSync } from "node:fs";

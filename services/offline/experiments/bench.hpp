@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack bench: flies experiments, and writes what they showed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The experiments as data: which worlds, speeds and conditions, and what counts as an event.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One flight of an experiment, and the cells that its result counts in.
 #pragma once
 

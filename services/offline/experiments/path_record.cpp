@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/offline/experiments/path_record.hpp"
 
 #include "services/offline/flight/flight_truth.hpp"

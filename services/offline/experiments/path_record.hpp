@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The predictions of a flight, a few a second, kept until the truth is known.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/offline/experiments/run_jobs.hpp"
 
 #include <algorithm>

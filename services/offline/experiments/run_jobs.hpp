@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All flights of an experiment, on all cores.
 #pragma once
 

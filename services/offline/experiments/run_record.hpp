@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is kept of one flight: numbers and small tables, not its rows.
 #pragma once
 

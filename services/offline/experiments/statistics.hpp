@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether two methods differ on the same seeds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From records of flights to cells, and to comparisons between methods.
 #pragma once
 

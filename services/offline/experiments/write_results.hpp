@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bench as files: summary.json, details.json (for the report), flights.csv, and logs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/offline/flight/camera_eye.hpp"
 
 #include "core/perception/expected_place.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rendered images into observations, through the real pose network: what the perception service
 // does, in lock-step.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the target truly did in a flight: turns and sudden stops.
 #pragma once
 

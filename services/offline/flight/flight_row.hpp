@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One instant of a flight: truth, estimate, decision. The log has one line for each, the metrics
 // are worked out from them and from nothing else.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flight as the scores see it: what the target did, and what was said of it.
 #pragma once
 

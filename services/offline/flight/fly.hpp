@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A lock-step flight of the whole tracker: what `foretrack fly` and the benchmarks call.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The closed loop of a lock-step flight: the simulator and whoever flies, in one thread.
 #pragma once
 

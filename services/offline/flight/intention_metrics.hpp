@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of the metrics that judges intentions and predicted paths.
 #pragma once
 

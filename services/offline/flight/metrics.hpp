@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a flight was worth, from its rows alone, so that every method is measured alike.
 #pragma once
 

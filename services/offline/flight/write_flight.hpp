@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flight as files: log.csv, scenario.json, metrics.json, log.sha256 and flight.png.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A camera's calibration as ROS' camera_calibration writes it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The people that can be rendered: models by Reallusion (CC-BY 3.0 US), from a Debian package.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ and MTL: as much of them as textured people need.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Depth images and odometry in, the map around the vehicle out.
 #pragma once
 

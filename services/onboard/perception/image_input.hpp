@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour and depth images in, observations of the person out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/perception/perception_service.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Images or observations, and odometry, in; the target's state out.
 #pragma once
 

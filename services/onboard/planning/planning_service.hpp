@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vehicle, target, prediction and map in, a checked trajectory out.
 #pragma once
 

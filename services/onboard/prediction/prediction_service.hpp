@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The target's state and the map in, intentions and predicted paths out.
 #pragma once
 

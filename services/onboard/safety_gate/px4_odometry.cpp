@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/safety_gate/px4_odometry.hpp"
 
 #include "services/convert/px4.hpp"

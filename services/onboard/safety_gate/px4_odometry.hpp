@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PX4's own estimate as the odometry of all stages: for vehicles without another estimator.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans, orders and the flight controller's state in; setpoints, the heartbeat and requests out.
 #pragma once
 

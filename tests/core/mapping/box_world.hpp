@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world of boxes and what a depth camera sees of it, exactly.
 #pragma once
 

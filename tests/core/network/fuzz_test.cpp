@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fuzz target in the suite, driven by seeded mutations.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/network/read_tflite.hpp"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layers of a network by their definitions, one output element at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small valid TensorFlow Lite file, written byte by byte: an 1 × 1 convolution of a 4 × 4 image
 // of two channels, with half-precision weights (DEQUANTIZE) of which the zeros are left out
 // (DENSIFY).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How well a walking person is estimated: 1.5 m/s, a sharp turn of 90°, seen from 2 m with 2 px
 // and 3 cm of noise at 30 Hz.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/perception/body_in_camera.hpp"
 
 #include <gtest/gtest.h>

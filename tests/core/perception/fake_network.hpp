@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Networks that answer what the test wants, in the shape of the real ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A walking person with known truth, and what a camera 2 m away makes of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows a synthetic person with perceive() and compares the estimate with the truth.
 #pragma once
 

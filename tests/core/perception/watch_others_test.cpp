@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/perception/watch_others.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A walking target and an ideal vehicle that flies exactly what is planned: for tests and
 // benchmarks of the planner alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whatever the world and the states are: no crash, no NaN, and nothing is flown that fails the
 // check. FORETRACK_RANDOM_WORLDS raises the number of worlds (50 plans each).
 #include <gtest/gtest.h>

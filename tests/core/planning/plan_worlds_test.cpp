@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many replans in closed loop among obstacles.
 #include <gtest/gtest.h>
 

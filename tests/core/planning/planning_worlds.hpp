@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Worlds and contexts shared by the tests of the planning front end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random optimisation problems that look like tracking: a target that walks and may turn, a vehicle
 // some way behind it, boxes around the way there. Shared by the tests and the benchmark.
 #pragma once

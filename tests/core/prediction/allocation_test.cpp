@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts heap allocations in this program: predict() must make none once it is warm.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "core/prediction/short_term_motion.hpp"
 
 #include <gtest/gtest.h>

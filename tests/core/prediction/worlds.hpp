@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small worlds of boxes, as exact boxes and as the grid that prediction reads, and targets in them.
 #pragma once
 

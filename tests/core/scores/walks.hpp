@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Walks whose truth is known by construction.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes on a DDS domain of their own, waiting with a deadline, and a raw peer that can misbehave.
 #pragma once
 

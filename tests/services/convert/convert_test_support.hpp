@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults planted in good messages: each must be refused, naming its field.
 #pragma once
 

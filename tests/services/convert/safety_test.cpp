@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/convert/safety.hpp"
 
 #include "convert_test_support.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bus side on real DDS: topics that come and go, any type, and the bytes as they were sent.
 #include "services/ground_station/bus/bus.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders to a gate that hears the station, and to one that has forgotten it.
 #include "services/ground_station/control/commander.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tokens, the audit log, and requests to the API without a vehicle.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

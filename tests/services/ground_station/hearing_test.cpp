@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When a silence calls for joining the bus anew, and when not.
 #include "services/ground_station/bus/hearing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A TCP client that sends any bytes: what an attacker has.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The server against clients that do not mean well, and one that does.
 #include "services/ground_station/http/server.hpp"
 

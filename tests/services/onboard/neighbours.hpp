@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A service under test in a thread of its own, and fake neighbours that feed it over real DDS.
 #pragma once
 

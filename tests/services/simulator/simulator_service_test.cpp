@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/simulator/simulator_service.hpp"
 
 #include "services/convert/image.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ages.mjs URL SECONDS [TOKEN]: a client that subscribes to what the page does. Prints, as JSON, how old samples
 // were on arrival (both clocks are this machine's) and the longest time without any, of each topic and of all.
 import WebSocket from "ws";

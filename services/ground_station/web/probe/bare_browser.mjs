@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chromium without a debugger that follows its network, as an operator has it. Playwright is told
 // of every WebSocket frame with all that is in it, which takes a tenth of what all else takes.
 import { spawn } from "node:child_process";

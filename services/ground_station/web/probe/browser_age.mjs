@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // browser_age.mjs URL [SECONDS]: how old samples are when the browser hands them to the page, and when
 // they are in the page's state (both clocks are this machine's; the station stamps a sample when it
 // takes it from DDS); without the 3-D scene and with it. JSON.

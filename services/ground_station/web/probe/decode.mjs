@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Samples of any channel to plain objects, with the decoders that Foxglove itself uses.
 import { parseIDL } from "@foxglove/omgidl-parser";
 import { MessageReader as IdlReader } from "@foxglove/omgidl-serialization";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // load.mjs URL CLIENTS SECONDS [PATTERN]: so many clients subscribe to everything, or to the topics that
 // fit; prints, as JSON, what they got and how old it was on arrival (both clocks are this machine's).
 // SECONDS may be -: then "on" and "off" on standard input let them subscribe and unsubscribe, and its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // mcap.mjs FILE: reads a recording with MCAP's own library, from its index and as a stream, and
 // prints what it found as JSON: { indexed, streamed, metadata, topics: { name: { samples, last } } }.
 import { open } from "node:fs/promises";

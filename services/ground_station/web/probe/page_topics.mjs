@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // page_topics.mjs URL: opens the station's page in a browser and prints the rows of its list of
 // topics that warn of something, as JSON { topic: text }, once there are two.
 import { hasChromium, launch, open } from "../tests/chromium.mjs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // probe.mjs URL SECONDS [SUBPROTOCOL]: connects as Foxglove does, subscribes to everything and prints, as
 // JSON, what came on each topic, with the last sample of each decoded.
 import foxglove from "@foxglove/ws-protocol";

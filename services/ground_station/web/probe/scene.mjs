@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // scene.mjs [VEHICLES [SECONDS]]: frames a second of the page's scene on a made-up flight, in a
 // browser without a graphics card; draw calls, what a frame costs the page's own script and each
 // process, how much of the machine others took, and how long one picture takes to draw at several

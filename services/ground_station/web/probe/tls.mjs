@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // tls.mjs HOST:PORT CERTIFICATE TOKEN: what a station that wants TLS answers to whom, as JSON.
 import { readFileSync } from "node:fs";
 import { request as plainRequest } from "node:http";

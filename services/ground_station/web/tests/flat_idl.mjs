@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schema of a type as one text: its IDL file with all that it includes.
 import { existsSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";

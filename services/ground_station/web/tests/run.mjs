@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser|flight: bundles
 // tests/<kind>/*.test.ts and runs them by node's runner.
 // Exits with 77, which ctest takes for skipped, where npm's packages were not installed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // node tests/serve_stand_in.mjs [PORT] [VEHICLES]: the page on a made-up flight, to work on it.
 import { startStandIn } from "./stand_in.mjs";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stand-in for the station, for work on the page without DDS: the Foxglove protocol at /ws, the
 // page in ./dist, answers under /api; a made-up flight.
 import { readFileSync } from "node:fs";

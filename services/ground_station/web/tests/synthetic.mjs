@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flight that is made up: people walk circles, vehicles follow them. For tests of the page alone.
 import { parseIDL } from "@foxglove/omgidl-parser";
 import { MessageWriter } from "@foxglove/omgidl-serialization";

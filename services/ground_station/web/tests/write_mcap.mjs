@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recording of the made-up flight, in the shape of the station's: one channel a topic, omgidl.
 import { McapWriter, TempBuffer } from "@mcap/core";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The little that the tests use of it.
 declare module "ws" {
   export default class WebSocket {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // foretrack perceive: people in pictures, videos and cameras, without DDS. A program of its own, so
 // that no service of the vehicle loads OpenCV's codecs.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/files/config/octree_world.hpp"
 
 #include <gmock/gmock.h>

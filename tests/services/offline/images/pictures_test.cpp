@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures that are read, looked at and drawn on.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Images on DDS: from pixels to the person's state, with the real network.
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "services/convert/image.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/planning/planning_service.hpp"
 
 #include "services/convert/map.hpp"

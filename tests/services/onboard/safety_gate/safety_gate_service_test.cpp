@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
 #include "services/convert/px4.hpp"

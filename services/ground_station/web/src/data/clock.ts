@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The time of a replay, as a pure function of wall time: no timers.
 
 export interface ReplayClock {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An MCAP file without its end, as a kill or a full disk leaves it, or one that is still written: it
 // is read whole, up to its last good chunk.
 import { type IReadable, McapStreamReader } from "@mcap/core";

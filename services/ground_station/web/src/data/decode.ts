@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes to messages, by the schema that the channel carries.
 import { parseIDL } from "@foxglove/omgidl-parser";
 import { MessageReader as IdlReader } from "@foxglove/omgidl-serialization";

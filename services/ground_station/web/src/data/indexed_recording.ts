@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An MCAP file with its index: only the parts that are shown are read.
 import { type IReadable, McapIndexedReader } from "@mcap/core";
 

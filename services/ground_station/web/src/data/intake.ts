@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one way from any source to the store: thin out, decode, hand over.
 import { Decoders } from "./decode.ts";
 import type { RawSample, Sample } from "./sample.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The live source: the station's WebSocket, by the official client of the Foxglove protocol.
 import { type Channel as Announced, FoxgloveClient, type IWebSocket, type MessageData,
 } from "@foxglove/ws-protocol";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What we read of the messages in idl/, with their field names. World ENU, body FLU, SI, rad.
 
 export interface Time { sec: number; nanosec?: number; nsec?: number }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Opens a recording: by its index, or, where that is missing, whole.
 import type { IReadable } from "@mcap/core";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Samples between two frames. Of topics whose newest sample says it all, older ones keep only their
 // count, so that a slow or hidden page holds no heap of stale bytes.
 import type { RawSample } from "./sample.ts";

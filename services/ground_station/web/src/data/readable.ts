@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the bytes of a recording come from: a file of this machine, or the station.
 import type { IReadable } from "@mcap/core";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recording, whole or cut off in the middle.
 import type { McapTypes } from "@mcap/core";
 import { decompress } from "fzstd";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The replay source: reads ahead of its clock, and hands over what the clock has passed.
 import * as clocks from "./clock.ts";
 import type { Recording } from "./recording.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A message on its way from a source (the live link or a recording) to the store.
 
 export interface Channel {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the station says of itself: /station/status and GET /api/status.
 
 export interface StationVehicle {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which topics the page reads, and how much of each.
 
 /** all: every sample. newest: the newest of a frame. slow: the newest, at most twice a second. */

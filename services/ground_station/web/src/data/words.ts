@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The messages' enumerators in words; the same words as the terminal view's.
 
 const track = ["never seen", "tracking", "coasting", "lost"];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One uPlot chart of the stack: a header with the values at the cursor, a time axis shared by all.
 import uPlot from "uplot";
 

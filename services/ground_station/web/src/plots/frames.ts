@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From the store's series to what each chart draws.
 import type { Series } from "../store/series.ts";
 import type { Vehicle } from "../store/state.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The timeline of states: person, plan, mission, and the gate's ladder, with reasons.
 import type uPlot from "uplot";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All charts of one vehicle, one above the other.
 
 import type uPlot from "uplot";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The solid things: a vehicle with its camera's frustum, and a person.
 import {
   BoxGeometry, BufferGeometry, CapsuleGeometry, Color, ConeGeometry, DoubleSide,

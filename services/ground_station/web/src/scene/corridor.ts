@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The edges of convex polytopes, from their half-spaces.
 import type { CorridorFace } from "../data/messages.ts";
 

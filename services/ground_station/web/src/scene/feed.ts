@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the scene has not been told yet of the state that the page shows.
 import type { TrailPoint } from "../store/series.ts";
 import type { Latest, State, Vehicle } from "../store/state.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the scene knows of the page's state: the sum of all news.
 import { Trail } from "../store/series.ts";
 import type { News } from "./messages.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Between the page and the scene, which runs in a worker of its own: a picture that software draws
 // would hold up the page's thread, and with it every sample.
 import type { TrailPoint } from "../store/series.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When the scene is drawn and how fine: thirty times a second where the machine can, coarser where
 // it cannot, and seldom where even that is too much.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene's own thread.
 import "./plain_colors.ts";
 import type { FromScene, ToScene } from "./messages.ts";

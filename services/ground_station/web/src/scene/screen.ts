@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page's side of the scene: the canvas, what is done to it, the labels over it, and its news.
 import type { Session } from "../ui/session.ts";
 import { SceneFeed } from "./feed.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that change every frame, in buffers that are made once.
 import {
   Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Line,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Of each message what the scene draws, in as few objects as can be: each of them, and above all
 // each small array of numbers, costs when it is handed to another thread.
 import type {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the camera's controls take for the element that is pointed at: a worker has none, so the page
 // hands its events on.
 import { EventDispatcher } from "three";

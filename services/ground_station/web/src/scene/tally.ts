@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was drawn in about a second, and how long it took.
 
 export interface Second {

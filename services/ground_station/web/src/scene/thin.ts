@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line of few points that looks the same.
 interface At { x: number; y: number; z: number }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that is drawn of one vehicle: itself, its person, what it predicts and what it plans.
 import { Color, Group } from "three";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Occupied cells: read from either map topic, and joined to few boxes.
 import type { LocalMap, PointCloud2 } from "../data/messages.ts";
 

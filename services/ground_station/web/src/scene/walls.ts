@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Occupied cells as they are drawn: all boxes in one mesh. Software draws each instance as if it
 // were a mesh of its own, which takes twice as long.
 import {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events, and alarms that hold until their condition clears.
 import type { Severity, State } from "./state.ts";
 

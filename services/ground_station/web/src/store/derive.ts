@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quantities that no topic carries.
 import type { Odometry, PlannedTrajectory, Quaternion, TargetState, TrajectoryPiece,
 } from "../data/messages.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
 import {
   type BatteryStatus, type MissionCommand, type Odometry, type PlannedTrajectory, seconds,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The store: folds samples, the passing of time and the link's state into State. It reads no clock,
 // so the same inputs give the same state, live or replayed. State is changed in place: thousands of
 // samples come a second.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Columns of values over time for the plots, bounded in length and rate.
 
 export type Value = number | null;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that the page knows, at one moment of one flight or recording.
 import type {
   BatteryStatus, DiagnosticStatus, LocalMap, Odometry, PlannedTrajectory, PointCloud2, SafetyState,

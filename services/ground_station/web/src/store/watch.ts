@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions that come with the passing of time, and with the station's own report.
 import type { StationStatus } from "../data/station.ts";
 import { outcome } from "../data/words.ts";

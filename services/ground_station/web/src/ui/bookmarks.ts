@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Places in a recording, kept by this browser under the file's name.
 
 export interface Bookmark { time_s: number; name: string }

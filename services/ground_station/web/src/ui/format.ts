@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers as an operator reads them.
 
 export function number(value: number | null | undefined, digits = 1, unit = ""): string {

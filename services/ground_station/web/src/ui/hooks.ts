@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import { useEffect, useReducer, useState } from "preact/hooks";
 
 import type { Session } from "./session.ts";

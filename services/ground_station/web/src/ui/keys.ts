@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keyboard. Keys do nothing while a field is being typed in.
 import type { Session } from "./session.ts";
 

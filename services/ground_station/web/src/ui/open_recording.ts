@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Opens a recording, of this machine or of the station, and shows it. What reads MCAP is loaded
 // only now.
 import type { Session } from "./session.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who commands, with which token; and the requests to the station.
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 

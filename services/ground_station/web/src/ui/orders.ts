@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders and leases, and what came of them.
 import { outcome } from "../data/words.ts";
 import type { Command, LeaseAction } from "./operator.ts";

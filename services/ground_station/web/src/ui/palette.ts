@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours that the colour-blind can tell apart (after Okabe and Ito); never the only sign.
 
 export const blue = "#56b4e9";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the page does: the live link, perhaps a replay, and which of the two is shown.
 import { Intake } from "../data/intake.ts";
 import { LiveLink } from "../data/live.ts";

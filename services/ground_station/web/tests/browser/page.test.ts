@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page in a browser, against a stand-in for the station whose every value is known.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page on real flights over DDS: two vehicles, the station, a browser, and an observer that
 // hears the same topics.
 import assert from "node:assert/strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the topics say, heard beside the page by the official client.
 import { FoxgloveClient, type IWebSocket } from "@foxglove/ws-protocol";
 import WebSocket from "ws";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The real thing: foretrack's processes on a DDS domain of their own.
 import { type ChildProcess, spawn, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes as the bus has them, written by the schemas' own writer, read by the page's decoder.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs of the store, written short.
 import { type Input, reduce } from "../../src/store/reduce.ts";
 import { makeState, type State } from "../../src/store/state.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recording read back through the same path as live samples.
 import assert from "node:assert/strict";
 import { test } from "node:test";

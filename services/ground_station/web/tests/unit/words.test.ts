@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page's words against the contract and the terminal view.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
