@@ -54,6 +54,7 @@ def field_line(match):
 def messages_of(idl_text):
     """Message name -> text of its .msg file, for each struct of one IDL file."""
     lines = [line.strip() for line in idl_text.splitlines()]
+    lines = [line for line in lines if not line.startswith("// SPDX-")]
     title = lines[0].removeprefix("// ")
     constants, messages, comments = {}, {}, []
     owner, target = None, None
