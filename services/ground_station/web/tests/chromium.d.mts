@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import type { Browser, Page } from "playwright-core";
 
 export const hasChromium: boolean;

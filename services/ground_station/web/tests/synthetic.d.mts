@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 export function encode(type: string, message: unknown): Uint8Array;
 export function schemaNameOf(type: string): string;
 export function typeOf(name: string): string;

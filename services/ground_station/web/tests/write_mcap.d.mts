@@ -1,2 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
 export function syntheticRecording(
   options: { begin_s: number; seconds: number; vehicles?: string[] }): Promise<Uint8Array>;

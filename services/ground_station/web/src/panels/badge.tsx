@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words with a colour and a sign, so that neither has to be told apart alone.
 import type { ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders to the chosen vehicle, under a lease that one operator holds.
 import { lease, order } from "../ui/orders.ts";
 import type { Command } from "../ui/operator.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who has control of what, the last orders and their results, the token, and STOP for all.
 import { lease, order } from "../ui/orders.ts";
 import { outcome, resultWord } from "../data/words.ts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Services of the chosen vehicle, and every diagnostic status that comes.
 import { levelWord, serviceWord, ServiceState } from "../data/words.ts";
 import { age_s, type State } from "../store/state.ts";

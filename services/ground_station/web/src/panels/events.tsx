@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alarms that hold or were not acknowledged, and all events, newest first.
 import { sortedAlarms } from "../store/alarms.ts";
 import type { Alarm } from "../store/state.ts";

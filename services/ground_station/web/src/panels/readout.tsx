@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The chosen vehicle in words, over the scene: as the terminal view says it.
 import type { SafetyState } from "../data/messages.ts";
 import { explainGate, explainPlan, modeWord, planWord, PlanState, trackWord, Track,

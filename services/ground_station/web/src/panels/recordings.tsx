@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recordings of the station and of this machine: start, stop, replay, download.
 import { useEffect, useState } from "preact/hooks";
 

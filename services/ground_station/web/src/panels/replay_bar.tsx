@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Play, pause, step, speed, scrub, go to a time, bookmarks: by the recording's log time.
 import type { RefObject } from "preact";
 import { useState } from "preact/hooks";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // STOP: held for a moment, on every screen, for the vehicle whose name it bears.
 import type { RefObject } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";

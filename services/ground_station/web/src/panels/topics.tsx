@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every topic on the bus (or in the recording): rate, age, size, who writes, what does not match.
 import { useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One card a vehicle: mode, health, age of the link, battery, rates, losses, who has control.
 import {
   batteryWord, modeWord, phaseWord, saysSeveralPeople, serviceWord, ServiceState,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole page: bar, vehicles, scene, plots, tables; on narrow screens one of them at a time.
 import { useEffect, useRef, useState } from "preact/hooks";
 
