@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages speak with a participant of another vendor, built from the same IDL files.
+#include <cstdlib>
+
 #include "services/launch/domain.hpp"
 #include "tests/system/program.hpp"
 
@@ -17,6 +19,21 @@ TEST(Cyclone, HearsEveryStageOfAFlight) {
   EXPECT_EQ(heard["insane"], 0) << peer.output();
   for (const char* topic : {"states", "intentions", "predictions", "plans"})
     EXPECT_GE(heard[topic], 10) << topic;
+}
+
+// As two nodes of ROS 2 are: on the well-known ports, with one multicast address for both.
+TEST(Cyclone, TwoPeersThatShareAMulticastAddressHearAFlightThatGoesOn) {
+  const FreeDomain domain;
+  const std::string id = std::to_string(domain.id());
+  Folder folder;
+  Program up({"up", "--domain", id, "--out", folder.path.string()}, folder.path / "up");
+  setenv("CYCLONEDDS_URI", "<Discovery><ParticipantIndex>auto</ParticipantIndex></Discovery>", 1);
+  Program one({id, "uav1", "40", "listen"}, folder.path / "one", INTEROP_PEER);
+  Program two({id, "uav1", "40", "listen"}, folder.path / "two", INTEROP_PEER);
+  unsetenv("CYCLONEDDS_URI");
+  EXPECT_EQ(one.wait(50.0), 0) << one.output();
+  EXPECT_EQ(two.wait(50.0), 0) << two.output();
+  EXPECT_EQ(up.output().find("was killed"), std::string::npos) << up.output();
 }
 
 TEST(Cyclone, TellsPerceptionWhereThePersonIs) {
