@@ -102,7 +102,12 @@ void run(const Case& c, const Options& options, std::uint64_t seed, Outcome& out
       const double start_s = cpu_s();
       const PredictionResult& predicted = predict(prediction, target, map, prediction_params);
       const double predicted_s = cpu_s();
-      PlanInput input{now_s, vehicle, target, &predicted.intention, &predicted.prediction, &map};
+      const PlanInput input{.now_s = now_s,
+                            .vehicle = vehicle,
+                            .target = target,
+                            .intention = &predicted.intention,
+                            .prediction = &predicted.prediction,
+                            .map = &map};
       const PlanResult& result = plan(planning, input, options.params);
       const double end_s = cpu_s();
       record(result, 1e3 * (predicted_s - start_s), 1e3 * (end_s - start_s), out);

@@ -2,6 +2,7 @@
 // Planning a trajectory that keeps the person in view (paper §V), checked before it is given out.
 #pragma once
 
+#include "core/common/moving_body.hpp"
 #include "core/common/target.hpp"
 #include "core/common/vehicle.hpp"
 #include "core/planning/motion/aim_camera.hpp"
@@ -18,6 +19,7 @@ struct PlanInput {
   const IntentionAssessment* intention = nullptr;  // null: no margins beyond the least
   const Prediction* prediction = nullptr;          // null: constant velocity
   const GridMap* map = nullptr;
+  const MovingBodies* bodies = nullptr;  // everybody who moves; null: nobody is known
 };
 
 struct PlanDiagnostics {

@@ -47,7 +47,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .target = out.target,
                       .intention = &out.prediction->intention,
                       .prediction = &out.prediction->prediction,
-                      .map = out.map},
+                      .map = out.map,
+                      .bodies = input.bodies},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;

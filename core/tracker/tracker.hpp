@@ -35,7 +35,8 @@ struct TrackerInput {
   const TargetObservation* observation = nullptr;
   double torso_depth_m = std::numeric_limits<double>::quiet_NaN();  // with it; NaN: not measured
   const DepthImage* depth = nullptr;
-  const GridMap* known_map = nullptr;  // null: the map is built from depth
+  const GridMap* known_map = nullptr;    // null: the map is built from depth
+  const MovingBodies* bodies = nullptr;  // people and vehicles around, as last seen; null: nobody
   const MissionCommand* command = nullptr;
 };
 
