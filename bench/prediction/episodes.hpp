@@ -10,7 +10,7 @@
 #include "core/common/grid_map.hpp"
 #include "core/common/target.hpp"
 #include "core/scores/truth.hpp"
-#include "core/simulator/world.hpp"
+#include "core/simulator/generate_world.hpp"
 
 namespace foretrack::bench {
 

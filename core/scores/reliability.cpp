@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/scores/reliability.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/scores/score_intentions.hpp"
 
 namespace foretrack {
 

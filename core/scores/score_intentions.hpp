@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/scores/reliability.hpp"
 #include "core/scores/truth.hpp"
 
 namespace foretrack {
@@ -15,11 +16,6 @@ using Probabilities = std::array<double, kIntentionCount>;
 struct SaidIntention {
   double time_s = 0.0;
   Probabilities p{};
-};
-
-struct ReliabilityBin {
-  double probability = 0.0, frequency = 0.0;  // means
-  int count = 0;
 };
 
 /// Announcements of one kind of event: p > 0.5 for at least 0.08 s, gaps up to 0.2 s forgiven,
@@ -70,9 +66,5 @@ class IntentionScorer {
 
   AnnouncementReport report(const Announcements& a) const;
 };
-
-/// Bins of equal mass over (probability, came true), and their mean absolute gap.
-std::vector<ReliabilityBin> reliability_bins(std::vector<std::pair<double, bool>> pairs, int bins);
-double expected_calibration_error(const std::vector<ReliabilityBin>& bins);
 
 }  // namespace foretrack

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "core/simulator/shade.hpp"
+
 namespace foretrack {
 namespace {
 

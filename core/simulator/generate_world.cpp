@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worlds by kind and seed.
+#include "core/simulator/generate_world.hpp"
+
 #include <algorithm>
 
 #include "core/common/random.hpp"
-#include "core/simulator/world.hpp"
 
 namespace foretrack {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A z-buffer: convex polygons in, colours and depths out, each pixel shaded once.
+// A z-buffer: convex polygons in, what each pixel shows and its depth out; shade.hpp fills in the
+// colours.
 #pragma once
 
 #include <array>
@@ -32,11 +33,6 @@ struct Facet {
   const Texture* texture = nullptr;
 };
 
-/// Up in the optical frame decides where the sky is light.
-struct Sky {
-  Eigen::Vector3f up_camera = -Eigen::Vector3f::UnitY();
-};
-
 struct Canvas {
   CameraModel camera;
   RgbImage color;
@@ -52,8 +48,5 @@ void clear(Canvas& canvas);
 /// Draws a flat convex polygon whose corners run counter-clockwise as seen from outside; from
 /// behind it is not drawn. The texture must outlive shade(). Parts nearer than 5 cm are cut off.
 void draw(Canvas& canvas, std::span<const Corner> polygon, const Texture& texture);
-
-/// Fills in the colours. Cost: about 10 ms for 640 × 480 pixels, with all drawing.
-void shade(Canvas& canvas, const Sky& sky);
 
 }  // namespace foretrack

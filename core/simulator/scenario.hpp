@@ -9,11 +9,11 @@
 
 #include "core/simulator/autopilot.hpp"
 #include "core/simulator/depth_camera.hpp"
+#include "core/simulator/generate_world.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "core/simulator/person.hpp"
 #include "core/simulator/quadrotor.hpp"
 #include "core/simulator/track.hpp"
-#include "core/simulator/world.hpp"
 
 namespace foretrack {
 
@@ -60,6 +60,10 @@ struct Scenario {
   double duration_s = 60.0;
   std::uint64_t seed = 1;
 };
+
+/// The seed of one part of what is random: the vehicle (1), the route (2), the landmark camera (3),
+/// the depth camera (4).
+std::uint64_t seed_of(const Scenario& scenario, std::uint64_t part);
 
 /// The given shapes and the generated ones. Where a route or track is given, generated shapes keep
 /// clear of it.

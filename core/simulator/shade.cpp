@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of the drawn facets: perspective-correct texture coordinates, the mip level by their
-// change from pixel to pixel, bilinear texels, light.
+// Perspective-correct texture coordinates, the mip level by their change from pixel to pixel,
+// bilinear texels, light.
+#include "core/simulator/shade.hpp"
+
 #include <algorithm>
 #include <bit>
-
-#include "core/simulator/rasterizer.hpp"
 
 namespace foretrack {
 namespace {

@@ -4,23 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/simulator/route.hpp"
-
 namespace foretrack {
 namespace {
 
 constexpr double kStartHeight_m = 1.5, kStartDistance_m = 2.0, kStartClearance_m = 0.5;
-
-std::uint64_t seed_of(const Scenario& scenario, std::uint64_t part) {
-  return Random(scenario.seed * 16 + part).next();
-}
-
-std::vector<Vec2> given_path(const TargetSpec& target) {
-  if (target.track.empty()) return target.route_m;
-  std::vector<Vec2> path;
-  for (const auto& point : target.track) path.push_back(point.position_m);
-  return path;
-}
 
 std::string text_of(const Vec3& p) {
   return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
@@ -95,32 +82,6 @@ std::vector<Bystander> bystanders_of(const Scenario& scenario, double ground_z_m
 }
 
 }  // namespace
-
-World world_of(const Scenario& scenario) {
-  const auto path = given_path(scenario.target);
-  World world =
-      generate_world(scenario.generator, scenario.world.min_m, scenario.world.max_m, path);
-  const auto append = [](auto& to, const auto& from) {
-    to.insert(to.begin(), from.begin(), from.end());
-  };
-  append(world.boxes, scenario.world.boxes);
-  append(world.cylinders, scenario.world.cylinders);
-  return world;
-}
-
-Walk walk_of(const Scenario& scenario, const World& world) {
-  const TargetSpec& target = scenario.target;
-  if (!target.track.empty()) return walk_through(target.track);
-  const WalkLimits limits{target.speed_m_s, target.person.acceleration_m_s2, target.corner_reach_m};
-  if (!target.route_m.empty()) return walk_along(target.route_m, limits);
-  const RouteRequest request{.seed = seed_of(scenario, 2),
-                             .length_m = target.speed_m_s * scenario.duration_s,
-                             .corner_reach_m = target.corner_reach_m};
-  return walk_along(scenario.generator.kind == WorldKind::kTIntersection
-                        ? t_intersection_route(request)
-                        : generate_route(world, request),
-                    limits);
-}
 
 SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const PersonModel> model,
                               std::vector<std::shared_ptr<const PersonModel>> bystanders) {

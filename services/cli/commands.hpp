@@ -18,7 +18,7 @@ struct Command {
 /// Those that need no DDS: fly, bench, perceive, params, scenarios.
 std::vector<Command> flight_commands();
 
-/// Those that speak DDS; none in a build without it.
+/// The services of the vehicle and the simulator. Only in a build with DDS.
 std::vector<Command> service_commands();
 
 /// What an operator uses: up, demo, monitor, topics, doctor, station, record, replay. Only in a

@@ -16,8 +16,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   std::function<int()> chosen;
   auto commands = foretrack::flight_commands();
-  for (const auto& command : foretrack::service_commands()) commands.push_back(command);
 #ifdef FORETRACK_DDS
+  for (const auto& command : foretrack::service_commands()) commands.push_back(command);
   for (const auto& command : foretrack::operator_commands()) commands.push_back(command);
 #endif
   for (const auto& command : commands) {

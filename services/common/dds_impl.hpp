@@ -4,7 +4,6 @@
 
 #include <fastdds/dds/core/condition/GuardCondition.hpp>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -14,15 +13,14 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <vector>
 
+#include "services/common/discovery.hpp"
 #include "services/common/endpoint.hpp"
 #include "services/common/node.hpp"
 #include "services/common/stop.hpp"
 
 namespace foretrack {
 
-namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::types::ReturnCode_t;
 
 /// The flow controller of profile "map".
@@ -30,42 +28,6 @@ inline constexpr char kMapFlow[] = "map";
 
 struct Stop::Dds {
   dds::GuardCondition condition;
-};
-
-/// Compares every endpoint that discovery tells of with our own types; DDS is silent when the type
-/// name or the key kind differs.
-class DiscoveryWatch : public dds::DomainParticipantListener {
- public:
-  explicit DiscoveryWatch(Node& node) : node_(node) {}
-
-  /// From now on, this is what we expect on the topic. Also judges what was seen before.
-  void expect(const std::string& topic, const TypeOps& ops);
-  std::vector<ForeignEndpoint> foreign() const;
-  std::vector<ForeignEndpoint> all() const;
-  std::vector<Peer> peers() const;
-  std::atomic<std::uint64_t> changes = 0;
-
-  void on_participant_discovery(dds::DomainParticipant*,
-                                eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
-  void on_publisher_discovery(dds::DomainParticipant*,
-                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
-  void on_subscriber_discovery(dds::DomainParticipant*,
-                               eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
-
- private:
-  using Guid = eprosima::fastrtps::rtps::GUID_t;
-  struct Expected {
-    std::string type;
-    bool keyed;
-  };
-  void see(const Guid& guid, ForeignEndpoint seen);
-  void judge(ForeignEndpoint& seen);
-
-  Node& node_;
-  mutable std::mutex mutex_;
-  std::map<std::string, Expected> expected_;
-  std::map<Guid, ForeignEndpoint> seen_;  // bounded
-  std::map<PeerId, Peer> peers_;          // bounded
 };
 
 struct Node::Dds {
@@ -106,11 +68,5 @@ struct ReaderCore::Dds : dds::DataReaderListener {
   EndpointStats& stats;
   dds::DataReader* reader = nullptr;
 };
-
-PeerId peer_of(const eprosima::fastrtps::rtps::GUID_t& guid);
-double seconds_of(const eprosima::fastrtps::Duration_t& duration);
-
-/// "RELIABILITY", for a message to an operator.
-std::string policy_name(dds::QosPolicyId_t id);
 
 }  // namespace foretrack

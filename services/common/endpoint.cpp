@@ -36,6 +36,26 @@ double EndpointStats::age_s() const {
 
 namespace {
 
+// "RELIABILITY", for a message to an operator.
+std::string policy_name(dds::QosPolicyId_t id) {
+  switch (id) {
+    case dds::DURABILITY_QOS_POLICY_ID:
+      return "DURABILITY";
+    case dds::RELIABILITY_QOS_POLICY_ID:
+      return "RELIABILITY";
+    case dds::DEADLINE_QOS_POLICY_ID:
+      return "DEADLINE";
+    case dds::LIVELINESS_QOS_POLICY_ID:
+      return "LIVELINESS";
+    case dds::OWNERSHIP_QOS_POLICY_ID:
+      return "OWNERSHIP";
+    case dds::DATAREPRESENTATION_QOS_POLICY_ID:
+      return "DATA REPRESENTATION";
+    default:
+      return "policy " + std::to_string(static_cast<int>(id));
+  }
+}
+
 [[noreturn]] void no_profile(const TopicInfo& info) {
   throw std::runtime_error("qos/profiles.xml has no usable profile '" + std::string(info.profile) +
                            "' for topic " + std::string(info.name));

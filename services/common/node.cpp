@@ -13,6 +13,7 @@
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
+#include "services/common/ros_graph.hpp"
 #include "services/files/share/share.hpp"
 
 namespace foretrack {
@@ -107,6 +108,10 @@ WriterCore& Node::add_writer(const TopicInfo& info, const TypeOps& ops) {
 ReaderCore& Node::add_reader(const TopicInfo& info, const TypeOps& ops) {
   readers_.push_back(std::make_unique<ReaderCore>(*this, info, ops));
   return *readers_.back();
+}
+
+void Node::announce() {
+  announce_to_ros(*this);
 }
 
 void Node::report(const std::string& text) {

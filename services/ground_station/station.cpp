@@ -13,6 +13,7 @@
 #include "services/ground_station/bus/bus.hpp"
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/http/files.hpp"
+#include "services/ground_station/recording/recover.hpp"
 #include "services/ground_station/status.hpp"
 
 namespace foretrack::station {

@@ -25,7 +25,7 @@ struct Link {
   std::string_view topic;
   std::string_view service;  // that writes it
   double max_age_s;
-  std::function<Finding(const Picture&)> content;  // what the newest sample says
+  std::function<Finding(const FlightSnapshot&)> content;  // what the newest sample says
 };
 
 Finding fine(std::string_view stage, std::string text) {
@@ -54,7 +54,7 @@ std::string how_to_start(std::string_view service) {
 }
 
 // The writer is matched and silent: what does its service say?
-Finding silent_writer(const Picture& p, const Link& link, const std::string& what) {
+Finding silent_writer(const FlightSnapshot& p, const Link& link, const std::string& what) {
   const auto* service = p.service(link.service);
   if (!service) return fault(link.stage, what, how_to_start(link.service));
   const auto& health = service->health;
@@ -71,7 +71,7 @@ Finding silent_writer(const Picture& p, const Link& link, const std::string& wha
                    : fmt::format("Its last error: {}", health.last_error().c_str()));
 }
 
-Finding silent(const Picture& p, const Link& link, const TopicFlow& flow) {
+Finding silent(const FlightSnapshot& p, const Link& link, const TopicFlow& flow) {
   if (flow.incompatible_qos > 0 && flow.writers == 0)
     return fault(link.stage,
                  fmt::format("A writer of {} is there, but its quality of service does not fit "
@@ -97,7 +97,7 @@ Finding silent(const Picture& p, const Link& link, const TopicFlow& flow) {
                        fmt::format("{} runs, but no sample of {} came.", link.service, flow.wire));
 }
 
-Finding check(const Picture& p, const Link& link) {
+Finding check(const FlightSnapshot& p, const Link& link) {
   const auto* flow = p.flow(link.topic);
   if (!flow) return note(link.stage, fmt::format("{} was not looked at.", link.topic));
   if (flow->samples == 0) return silent(p, link, *flow);
@@ -111,7 +111,7 @@ Finding check(const Picture& p, const Link& link) {
   return fine(link.stage, fmt::format("{} comes at {:.0f} Hz", flow->wire, flow->rate_hz));
 }
 
-Finding target_content(const Picture& p) {
+Finding target_content(const FlightSnapshot& p) {
   namespace c = foretrack_msgs::msg::TargetState_Constants;
   const auto status = p.target->status();
   if (status == c::STATUS_TRACKING) return fine("target", "a person is being tracked");
@@ -125,7 +125,7 @@ Finding target_content(const Picture& p) {
                "Is a person in the camera's view, and do the observations have landmarks?");
 }
 
-Finding prediction_content(const Picture& p) {
+Finding prediction_content(const FlightSnapshot& p) {
   namespace c = foretrack_msgs::msg::TargetPrediction_Constants;
   const auto status = p.prediction->status();
   if (status == c::STATUS_OK || status == c::STATUS_SEARCH_EXHAUSTED)
@@ -135,7 +135,7 @@ Finding prediction_content(const Picture& p) {
                                  : "The person seems to stand inside an obstacle.");
 }
 
-Finding plan_content(const Picture& p) {
+Finding plan_content(const FlightSnapshot& p) {
   namespace c = foretrack_msgs::msg::PlannedTrajectory_Constants;
   const auto status = p.plan->status();
   const auto why = explain_plan(p.plan->reason());
@@ -147,7 +147,7 @@ Finding plan_content(const Picture& p) {
   return fault("plan", fmt::format("There is no trajectory: {}. {}", why, p.plan->text().c_str()));
 }
 
-Finding gate_content(const Picture& p) {
+Finding gate_content(const FlightSnapshot& p) {
   namespace c = foretrack_msgs::msg::SafetyState_Constants;
   const auto mode = p.safety->mode();
   if (mode == c::MODE_TRACK) return fine("gate", "the trajectory is flown");
@@ -161,7 +161,7 @@ Finding gate_content(const Picture& p) {
           : "");
 }
 
-Finding autopilot(const Picture& p) {
+Finding autopilot(const FlightSnapshot& p) {
   if (!p.safety) return note("autopilot", "Its state is known from the gate alone.");
   if (!p.safety->armed())
     return fault("autopilot", "The autopilot is not armed.",
@@ -172,7 +172,7 @@ Finding autopilot(const Picture& p) {
   return fine("autopilot", "armed and in offboard mode");
 }
 
-Finding movement(const Picture& p) {
+Finding movement(const FlightSnapshot& p) {
   const double speed = speed_mps(p);
   if (speed < 0.0) return note("vehicle", "Its speed is not known.");
   if (speed > kMoving_mps) return fine("vehicle", fmt::format("moves at {:.1f} m/s", speed));
@@ -194,7 +194,7 @@ const std::vector<Link>& chain() {
 }
 
 // Without anybody on the domain, nine faults would say the same.
-bool nobody_is_there(const Picture& p) {
+bool nobody_is_there(const FlightSnapshot& p) {
   if (!p.services.empty()) return false;
   for (const auto& f : p.flows)
     if (f.writers > 0 || f.samples > 0 || f.incompatible_qos > 0) return false;
@@ -223,7 +223,7 @@ void check_service(const ServiceReport& report, std::vector<Finding>& findings) 
 
 }  // namespace
 
-std::vector<Finding> diagnose(const Picture& p) {
+std::vector<Finding> diagnose(const FlightSnapshot& p) {
   if (nobody_is_there(p))
     return {fault(
         "set-up",

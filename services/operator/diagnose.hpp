@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "services/operator/picture.hpp"
+#include "services/operator/flight_snapshot.hpp"
 
 namespace foretrack {
 
@@ -18,9 +18,9 @@ struct Finding {
   std::string advice;  // what to do; may be empty
 };
 
-/// One finding at least for each link, in the order of the chain. The picture should be of a few
+/// One finding at least for each link, in the order of the chain. The snapshot should be of a few
 /// seconds, so that rates and ages mean something.
-std::vector<Finding> diagnose(const Picture& picture);
+std::vector<Finding> diagnose(const FlightSnapshot& snapshot);
 
 /// The first fault, or null.
 const Finding* first_cause(const std::vector<Finding>& findings);

@@ -111,8 +111,8 @@ void Listener::update() {
   for (auto& slot : slots_) slot.rate_hz = slot.meter.update(slot.stats->samples, now_s);
 }
 
-Picture Listener::picture() {
-  Picture p;
+FlightSnapshot Listener::snapshot() {
+  FlightSnapshot p;
   p.vehicle = node_.options().names.vehicle;
   p.domain = node_.options().domain_id;
   p.now_s = simulated_s_ >= 0.0 ? simulated_s_ : node_.clock().now_s();

@@ -17,7 +17,7 @@
 #include "services/common/rate.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
-#include "services/operator/picture.hpp"
+#include "services/operator/flight_snapshot.hpp"
 
 namespace foretrack {
 
@@ -39,7 +39,7 @@ class Listener {
 
   /// Takes all that came. Call it twenty times a second: readers keep few samples.
   void update();
-  Picture picture();
+  FlightSnapshot snapshot();
 
   Hooks hooks;
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "services/offline/flight/metrics_json.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -73,10 +75,6 @@ std::string services(const FlightSummary& s) {
   return text;
 }
 
-Json json_of(const Quantiles& q) {
-  return {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}};
-}
-
 Json json_of(const ServiceSummary& s) {
   return {
       {"cpu_percent", s.cpu_percent}, {"memory_bytes", s.memory_bytes}, {"restarts", s.restarts}};
@@ -84,15 +82,14 @@ Json json_of(const ServiceSummary& s) {
 
 }  // namespace
 
-FlightSummary summarize(const Recorder& recorder, const MetricParams& params) {
+FlightSummary summarize(const FlightLog& log, const MetricParams& params) {
   FlightSummary summary;
-  summary.path_length_m = recorder.path_length_m();
-  summary.plans = recorder.plans();
-  if (!recorder.rows().empty()) summary.metrics = metrics_of(recorder.rows(), params);
-  for (const auto& [name, values] : recorder.stage_ms())
-    summary.stage_ms[name] = quantiles_of(values);
-  summary.latency_ms = quantiles_of(recorder.latency_ms());
-  summary.wall_latency_ms = quantiles_of(recorder.wall_latency_ms());
+  summary.path_length_m = log.path_length_m();
+  summary.plans = log.plans();
+  if (!log.rows().empty()) summary.metrics = metrics_of(log.rows(), params);
+  for (const auto& [name, values] : log.stage_ms()) summary.stage_ms[name] = quantiles_of(values);
+  summary.latency_ms = quantiles_of(log.latency_ms());
+  summary.wall_latency_ms = quantiles_of(log.wall_latency_ms());
   if (summary.stage_ms.contains("plan")) summary.metrics.plan_ms = summary.stage_ms.at("plan");
   return summary;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "services/offline/flight/metrics.hpp"
-#include "services/operator/recorder.hpp"
+#include "services/operator/flight_log.hpp"
 
 namespace foretrack {
 
@@ -39,7 +39,7 @@ struct FlightSummary {
 };
 
 /// Metrics and times; the services are left to the caller.
-FlightSummary summarize(const Recorder& recorder, const MetricParams& params);
+FlightSummary summarize(const FlightLog& log, const MetricParams& params);
 
 std::string to_text(const FlightSummary& summary);
 std::string to_json_text(const FlightSummary& summary);

@@ -8,7 +8,7 @@
 
 #include "services/common/node.hpp"
 #include "services/common/rate.hpp"
-#include "services/operator/picture.hpp"
+#include "services/operator/flight_snapshot.hpp"
 
 namespace foretrack {
 

@@ -37,14 +37,14 @@ bool is_total(const foretrack_msgs::msg::StageTime& s) {
   return s.stage() == "total";
 }
 
-double plan_ms(const Picture& p) {
+double plan_ms(const FlightSnapshot& p) {
   double sum = 0.0;
   for (const auto& s : p.plan->stage_times())
     if (!is_total(s)) sum += s.ms();
   return sum;
 }
 
-std::string person(const Picture& p, const ViewOptions& o) {
+std::string person(const FlightSnapshot& p, const ViewOptions& o) {
   if (!p.target) return "not known yet";
   const auto& t = *p.target;
   namespace c = foretrack_msgs::msg::TargetState_Constants;
@@ -55,7 +55,7 @@ std::string person(const Picture& p, const ViewOptions& o) {
       age_text(t.last_measurement_age_s()));
 }
 
-std::string intentions(const Picture& p) {
+std::string intentions(const FlightSnapshot& p) {
   if (!p.intention) return "not known yet\n";
   std::string text;
   for (const auto& i : p.intention->intentions())
@@ -65,7 +65,7 @@ std::string intentions(const Picture& p) {
 }
 
 // A ruler from 0 to twice the band's far end; the band is drawn thick.
-std::string distance(const Picture& p, const ViewOptions& o) {
+std::string distance(const FlightSnapshot& p, const ViewOptions& o) {
   const double d = distance_m(p);
   if (d < 0.0) return "not known yet";
   constexpr int kCells = 40;
@@ -82,7 +82,7 @@ std::string distance(const Picture& p, const ViewOptions& o) {
 }
 
 // What the vehicle itself knows of it: the age of the last measurement, the bearing off the nose.
-std::string visibility(const Picture& p, const ViewOptions& o) {
+std::string visibility(const FlightSnapshot& p, const ViewOptions& o) {
   if (!p.target || !p.odometry) return "not known yet";
   constexpr double kFresh_s = 0.3;
   const auto& pose = p.odometry->pose().pose();
@@ -97,7 +97,7 @@ std::string visibility(const Picture& p, const ViewOptions& o) {
                      std::remainder(bearing - yaw, 2.0 * M_PI) * 180.0 / M_PI);
 }
 
-std::string plan(const Picture& p, const ViewOptions& o) {
+std::string plan(const FlightSnapshot& p, const ViewOptions& o) {
   if (!p.plan) return "none yet";
   namespace c = foretrack_msgs::msg::PlannedTrajectory_Constants;
   std::string stages;
@@ -112,7 +112,7 @@ std::string plan(const Picture& p, const ViewOptions& o) {
                      stages);
 }
 
-std::string safety(const Picture& p, const ViewOptions& o) {
+std::string safety(const FlightSnapshot& p, const ViewOptions& o) {
   if (!p.safety) return "silent";
   const auto& s = *p.safety;
   namespace c = foretrack_msgs::msg::SafetyState_Constants;
@@ -123,7 +123,7 @@ std::string safety(const Picture& p, const ViewOptions& o) {
                      s.heartbeat() ? "heartbeat" : "no heartbeat");
 }
 
-std::string topics(const Picture& p) {
+std::string topics(const FlightSnapshot& p) {
   std::string text =
       fmt::format("{:<22}{:>9}{:>10}{:>9}  {}\n", "topic", "rate", "age", "writers", "rejected");
   for (const auto& f : p.flows) {
@@ -135,7 +135,7 @@ std::string topics(const Picture& p) {
   return text;
 }
 
-std::string services(const Picture& p) {
+std::string services(const FlightSnapshot& p) {
   std::string text = fmt::format("{:<22}{:>9}{:>10}{:>11}{:>11}\n", "service", "state", "processor",
                                  "memory", "work/loop");
   for (const auto& s : p.services) {
@@ -151,7 +151,7 @@ std::string services(const Picture& p) {
 
 }  // namespace
 
-std::string draw(const Picture& p, const ViewOptions& o) {
+std::string draw(const FlightSnapshot& p, const ViewOptions& o) {
   std::string text =
       fmt::format("foretrack  {}  domain {}  {:.0f} s\n\n", p.vehicle, p.domain, o.elapsed_s);
   text += "person     " + person(p, o) + '\n';
@@ -165,7 +165,7 @@ std::string draw(const Picture& p, const ViewOptions& o) {
   return text;
 }
 
-std::string status_line(const Picture& p, const ViewOptions& o) {
+std::string status_line(const FlightSnapshot& p, const ViewOptions& o) {
   std::string likely = "?";
   double best = 0.0;
   if (p.intention)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flight as text: a screen for a terminal, a line for a log, JSON for programs.
+// The flight as text: a screen for a terminal, a line for a log.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "services/operator/picture.hpp"
+#include "services/operator/flight_snapshot.hpp"
 
 namespace foretrack {
 
@@ -17,11 +16,9 @@ struct ViewOptions {
 };
 
 /// Lines without cursor movements; at most 100 columns.
-std::string draw(const Picture& picture, const ViewOptions& options);
+std::string draw(const FlightSnapshot& snapshot, const ViewOptions& options);
 /// One line, no control codes.
-std::string status_line(const Picture& picture, const ViewOptions& options);
-nlohmann::ordered_json to_json(const Picture& picture);
-nlohmann::ordered_json to_json(const TopicFlow& flow);
+std::string status_line(const FlightSnapshot& snapshot, const ViewOptions& options);
 
 /// Draws over what it drew before, on a screen of its own, which goes when it goes.
 class Screen {

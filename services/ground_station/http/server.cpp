@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/ground_station/http/server.hpp"
 
-#include <netinet/tcp.h>
-
 #include <chrono>
 #include <stdexcept>
 
+#include "services/ground_station/http/connection.hpp"
 #include "services/ground_station/http/server_impl.hpp"
 
 namespace foretrack::station {
@@ -60,19 +59,6 @@ void repeat(asio::io_context& io, std::chrono::duration<double> period,
 }
 
 }  // namespace
-
-std::string tune(tcp::socket& socket) {
-  beast::error_code error;
-  socket.set_option(tcp::no_delay(true), error);
-  const int unsent_bytes = 16 * 1024;  // more would be old before a slow link takes it
-  setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent_bytes,
-             sizeof unsent_bytes);
-  // Goes on where a radio link loses packets, which others take for congestion; not every kernel
-  // has it.
-  setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_CONGESTION, "bbr", 3);
-  const auto end = socket.remote_endpoint(error);
-  return error ? "?" : end.address().to_string() + ':' + std::to_string(end.port());
-}
 
 Server::Server(const ServerOptions& options, Hub& hub)
     : impl_(std::make_unique<Impl>(options, hub)) {

@@ -23,12 +23,4 @@ struct Server::Impl {
   std::size_t clients = 0;
 };
 
-/// For small messages that must not wait and for data that must not pile up in the kernel. Returns
-/// the other end's address.
-std::string tune(tcp::socket& socket);
-
-/// Begin a connection's life; it counts itself out when it ends.
-void start_plain(Server::Impl& server, tcp::socket socket);
-void start_tls(Server::Impl& server, tcp::socket socket);
-
 }  // namespace foretrack::station

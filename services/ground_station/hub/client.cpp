@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "services/ground_station/hub/client.hpp"
+
 #include <algorithm>
 
 #include "services/ground_station/hub/hub.hpp"

@@ -235,4 +235,14 @@ std::string Recorder::fault() const {
   return fault_;
 }
 
+std::map<std::string, std::map<std::string, std::string>> recording_metadata(
+    const std::string& parameters) {
+  char host[256] = {};
+  gethostname(host, sizeof host - 1);
+  std::map<std::string, std::map<std::string, std::string>> metadata;
+  metadata["foretrack"] = {{"version", FORETRACK_VERSION}, {"host", host}};
+  if (!parameters.empty()) metadata["parameters"] = {{"yaml", parameters}};
+  return metadata;
+}
+
 }  // namespace foretrack::station

@@ -80,8 +80,4 @@ class Recorder {
 std::map<std::string, std::map<std::string, std::string>> recording_metadata(
     const std::string& parameters);
 
-/// Gives files that were not finished (a kill, a full disk) their end, so that readers can seek.
-/// Returns how many. Samples beyond the last whole chunk are gone.
-int recover_recordings(const std::filesystem::path& folder);
-
 }  // namespace foretrack::station

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What surrounds recordings: their metadata, and files that were not finished.
+#include "services/ground_station/recording/recover.hpp"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@
 #include <stdexcept>
 
 #include "services/ground_station/mcap/reader.hpp"
-#include "services/ground_station/recording/recorder.hpp"
+#include "services/ground_station/mcap/writer.hpp"
 
 namespace foretrack::station {
 namespace {
@@ -75,16 +76,6 @@ int recover_recordings(const fs::path& folder) {
     }
   }
   return recovered;
-}
-
-std::map<std::string, std::map<std::string, std::string>> recording_metadata(
-    const std::string& parameters) {
-  char host[256] = {};
-  gethostname(host, sizeof host - 1);
-  std::map<std::string, std::map<std::string, std::string>> metadata;
-  metadata["foretrack"] = {{"version", FORETRACK_VERSION}, {"host", host}};
-  if (!parameters.empty()) metadata["parameters"] = {{"yaml", parameters}};
-  return metadata;
 }
 
 }  // namespace foretrack::station

@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "services/files/share/share.hpp"
+#include "services/offline/experiments/details_json.hpp"
+#include "services/offline/experiments/summary_json.hpp"
 #include "services/offline/flight/run_program.hpp"
 
 namespace foretrack {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "services/offline/experiments/details_json.hpp"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
-
-#include "services/offline/experiments/run_jobs.hpp"
-#include "services/offline/experiments/write_results.hpp"
 
 namespace foretrack {
 namespace {

@@ -50,4 +50,14 @@ std::vector<Comparison> compare(const std::vector<FlightJob>& jobs,
                                 const std::vector<RunRecord>& records,
                                 const std::vector<CellSummary>& cells);
 
+/// All that a bench found.
+struct BenchResults {
+  std::vector<FlightJob> jobs;
+  std::vector<RunRecord> records;
+  std::vector<CellSummary> cells;             // by experiment, condition, method, map, speed
+  std::vector<CellSummary> scenes;            // the same for each world
+  std::vector<Comparison> comparisons;        // of cells
+  std::vector<Comparison> scene_comparisons;  // of scenes
+};
+
 }  // namespace foretrack

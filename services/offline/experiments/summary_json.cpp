@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "services/offline/experiments/summary_json.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include "services/offline/experiments/write_results.hpp"
+#include "services/offline/flight/metrics_json.hpp"
 
 namespace foretrack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json json_of(const CellSummary& c) {
   return {{"experiment", c.key.experiment},
@@ -25,15 +23,11 @@ Json json_of(const CellSummary& c) {
           {"occlusion_rate", c.occlusion_rate},
           {"fov_loss_rate", c.fov_loss_rate},
           {"near_rate", c.near_rate},
-          {"min_distance_m", finite(c.min_distance_m)},
+          {"min_distance_m", finite_json(c.min_distance_m)},
           {"band_share", c.band_share},
           {"collisions", c.collisions},
-          {"min_clearance_m", finite(c.min_clearance_m)},
-          {"plan_ms",
-           {{"p50", c.plan_ms.p50},
-            {"p95", c.plan_ms.p95},
-            {"p99", c.plan_ms.p99},
-            {"max", c.plan_ms.max}}},
+          {"min_clearance_m", finite_json(c.min_clearance_m)},
+          {"plan_ms", json_of(c.plan_ms)},
           {"seed", c.seed},
           {"log_sha256", c.log_sha256}};
 }

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "services/offline/flight/flight_events.hpp"
@@ -97,8 +95,5 @@ struct Metrics {
 
 /// Definitions: docs/metrics.md. Precondition: rows at equal steps. plan_ms stays empty.
 Metrics metrics_of(std::span<const FlightRow> rows, const MetricParams& params);
-
-/// As JSON, indented; with the hash of the flight's log if there is one.
-std::string json_of(const Metrics& metrics, std::string_view log_sha256 = {});
 
 }  // namespace foretrack

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
+#include "services/offline/flight/metrics_json.hpp"
 
-#include "services/offline/flight/metrics.hpp"
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace foretrack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// JSON has no infinity: null.
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json json_of_turn(const EventRecord& turn) {
   return {{"kind", kIntentionNames[index_of(turn.event.kind)]},
@@ -44,7 +40,7 @@ Json tracking(const Metrics& m) {
 Json safety(const Metrics& m) {
   return {{"collisions", m.collisions},
           {"contact_s", m.contact_s},
-          {"min_clearance_m", finite(m.min_clearance_m)},
+          {"min_clearance_m", finite_json(m.min_clearance_m)},
           {"max_speed_m_s", m.max_speed_m_s},
           {"max_acceleration_m_s2", m.max_acceleration_m_s2},
           {"max_yaw_rate_rad_s", m.max_yaw_rate_rad_s},
@@ -80,16 +76,21 @@ Json foresight(const Metrics& m) {
 
 }  // namespace
 
+Json finite_json(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json json_of(const Quantiles& q) {
+  return {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}};
+}
+
 std::string json_of(const Metrics& m, std::string_view log_sha256) {
   Json json = {{"duration_s", m.duration_s}};
   json.update(tracking(m));
   json.update(safety(m));
   json.update(events(m));
   json["intention"] = foresight(m);
-  json["plan_ms"] = {{"p50", m.plan_ms.p50},
-                     {"p95", m.plan_ms.p95},
-                     {"p99", m.plan_ms.p99},
-                     {"max", m.plan_ms.max}};
+  json["plan_ms"] = json_of(m.plan_ms);
   if (!log_sha256.empty()) json["log_sha256"] = log_sha256;
   return json.dump(2) + "\n";
 }

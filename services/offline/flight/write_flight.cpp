@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "services/files/share/share.hpp"
+#include "services/offline/flight/metrics_json.hpp"
 #include "services/offline/flight/run_program.hpp"
 
 namespace foretrack {

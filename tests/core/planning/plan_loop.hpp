@@ -5,7 +5,7 @@
 
 #include "core/common/random.hpp"
 #include "core/planning/plan.hpp"
-#include "core/simulator/world.hpp"
+#include "core/simulator/generate_world.hpp"
 
 namespace foretrack::testing {
 

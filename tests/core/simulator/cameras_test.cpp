@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/simulator/depth_camera.hpp"
+#include "core/simulator/generate_world.hpp"
 #include "core/simulator/landmark_camera.hpp"
 
 namespace foretrack {

@@ -5,7 +5,9 @@
 
 #include "core/common/random.hpp"
 #include "core/simulator/depth_camera.hpp"
+#include "core/simulator/generate_world.hpp"
 #include "core/simulator/scenery.hpp"
+#include "core/simulator/shade.hpp"
 
 namespace foretrack {
 namespace {

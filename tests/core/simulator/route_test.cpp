@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simulator/generate_world.hpp"
 #include "core/simulator/walk.hpp"
 
 namespace foretrack {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/common/random.hpp"
+#include "core/simulator/generate_world.hpp"
 
 namespace foretrack {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "services/ground_station/mcap/reader.hpp"
 #include "services/ground_station/recording/recorder.hpp"
+#include "services/ground_station/recording/recover.hpp"
 #include "tests/support/folder.hpp"
 
 namespace foretrack::station::mcap {

@@ -21,32 +21,32 @@ struct Flight {
     safety.mode(msg::SafetyState_Constants::MODE_TRACK);
     safety.armed(true);
     safety.offboard(true);
-    picture.vehicle = "uav1";
-    picture.domain = 7;
-    picture.odometry = &odometry;
-    picture.target = &target;
-    picture.prediction = &prediction;
-    picture.plan = &plan;
-    picture.safety = &safety;
+    snapshot.vehicle = "uav1";
+    snapshot.domain = 7;
+    snapshot.odometry = &odometry;
+    snapshot.target = &target;
+    snapshot.prediction = &prediction;
+    snapshot.plan = &plan;
+    snapshot.safety = &safety;
     for (const char* topic :
          {"odometry", "target/observation", "camera/depth/image", "target/state", "map/local",
           "target/intention", "target/prediction", "plan/trajectory", "safety/state"})
-      picture.flows.push_back({.topic = topic,
-                               .wire = std::string("rt/uav1/") + topic,
-                               .rate_hz = 20.0,
-                               .age_s = 0.05,
-                               .writers = 1,
-                               .samples = 60,
-                               .rejected = {}});
+      snapshot.flows.push_back({.topic = topic,
+                                .wire = std::string("rt/uav1/") + topic,
+                                .rate_hz = 20.0,
+                                .age_s = 0.05,
+                                .writers = 1,
+                                .samples = 60,
+                                .rejected = {}});
   }
-  TopicFlow& flow(std::string_view topic) { return const_cast<TopicFlow&>(*picture.flow(topic)); }
+  TopicFlow& flow(std::string_view topic) { return const_cast<TopicFlow&>(*snapshot.flow(topic)); }
   void silence(std::string_view topic) {
     flow(topic).samples = 0;
     flow(topic).writers = 0;
     flow(topic).age_s = -1.0;
   }
   std::string cause() const {
-    const auto findings = diagnose(picture);
+    const auto findings = diagnose(snapshot);
     const auto* first = first_cause(findings);
     return first ? first->text : "";
   }
@@ -56,7 +56,7 @@ struct Flight {
   msg::TargetPrediction prediction;
   msg::PlannedTrajectory plan;
   msg::SafetyState safety;
-  Picture picture;
+  FlightSnapshot snapshot;
 };
 
 TEST(Diagnose, FindsNothingInAGoodFlight) {
@@ -102,7 +102,7 @@ TEST(Diagnose, LetsAKnownMapBeOld) {
   Flight flight;
   flight.flow("map/local").age_s = 100.0;
   EXPECT_THAT(flight.cause(), HasSubstr("stopped 100.0 s ago"));
-  flight.picture.map_is_static = true;
+  flight.snapshot.map_is_static = true;
   EXPECT_EQ(flight.cause(), "");
 }
 
@@ -116,7 +116,7 @@ TEST(Diagnose, TellsAMismatchOfQualityFromAMissingWriter) {
 TEST(Diagnose, TellsAForeignTypeFromAMissingWriter) {
   Flight flight;
   flight.silence("target/state");
-  flight.picture.foreign = {"a writer on rt/uav1/target/state will never match: its type is X."};
+  flight.snapshot.foreign = {"a writer on rt/uav1/target/state will never match: its type is X."};
   EXPECT_THAT(flight.cause(), HasSubstr("its type is X"));
 }
 
@@ -147,15 +147,15 @@ TEST(Diagnose, NoticesAClockThatDiffers) {
   ServiceReport report;
   report.health.service("planning");
   report.clock_ahead_s = -2.0;
-  flight.picture.services.push_back(report);
+  flight.snapshot.services.push_back(report);
   EXPECT_THAT(flight.cause(), HasSubstr("clock of planning is -2.0 s off"));
 }
 
 TEST(Diagnose, SaysOneThingWhenNobodyIsThere) {
   Flight flight;
-  for (auto& flow : flight.picture.flows) flight.silence(flow.topic);
-  flight.picture.other_vehicles = {"kestrel"};
-  const auto findings = diagnose(flight.picture);
+  for (auto& flow : flight.snapshot.flows) flight.silence(flow.topic);
+  flight.snapshot.other_vehicles = {"kestrel"};
+  const auto findings = diagnose(flight.snapshot);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_THAT(findings[0].text, HasSubstr("'uav1' is heard on DDS domain 7"));
   EXPECT_THAT(findings[0].advice, HasSubstr("kestrel"));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/common/rate.hpp"
+#include "services/operator/snapshot_json.hpp"
 
 namespace foretrack {
 namespace {
@@ -24,14 +25,14 @@ TEST(View, DrawsAnEmptyPictureWithoutInventingAnything) {
 TEST(View, MarksTheDistanceInsideItsBand) {
   nav_msgs::msg::Odometry vehicle, target;
   target.pose().pose().position().x(2.0);
-  Picture picture;
-  picture.vehicle_truth = &vehicle;
-  picture.target_truth = &target;
+  FlightSnapshot snapshot;
+  snapshot.vehicle_truth = &vehicle;
+  snapshot.target_truth = &target;
   ViewOptions options;
   options.colors = true;
-  EXPECT_THAT(draw(picture, options), HasSubstr("\033[32m 2.0 m"));
+  EXPECT_THAT(draw(snapshot, options), HasSubstr("\033[32m 2.0 m"));
   target.pose().pose().position().x(4.0);
-  EXPECT_THAT(draw(picture, options), HasSubstr("\033[31m 4.0 m"));
+  EXPECT_THAT(draw(snapshot, options), HasSubstr("\033[31m 4.0 m"));
 }
 
 TEST(View, NamesTheMostProbableIntentionInTheStatusLine) {
@@ -42,22 +43,22 @@ TEST(View, NamesTheMostProbableIntentionInTheStatusLine) {
     intention.intentions().back().name(name);
     intention.intentions().back().probability(p);
   }
-  Picture picture;
-  picture.intention = &intention;
-  EXPECT_THAT(status_line(picture, {}), HasSubstr("turn_left 0.70"));
-  EXPECT_DOUBLE_EQ(to_json(picture)["intention"]["turn_left"], 0.7);
+  FlightSnapshot snapshot;
+  snapshot.intention = &intention;
+  EXPECT_THAT(status_line(snapshot, {}), HasSubstr("turn_left 0.70"));
+  EXPECT_DOUBLE_EQ(to_json(snapshot)["intention"]["turn_left"], 0.7);
 }
 
 TEST(View, SaysWhyAServiceIsDegraded) {
-  Picture picture;
-  picture.services.emplace_back();
-  auto& health = picture.services.back().health;
+  FlightSnapshot snapshot;
+  snapshot.services.emplace_back();
+  auto& health = snapshot.services.back().health;
   health.service("perception");
   health.last_error("several people could be the one who is followed");
   health.state(foretrack_msgs::msg::ServiceHealth_Constants::STATE_RUNNING);
-  EXPECT_THAT(draw(picture, {}), Not(HasSubstr("several people")));
+  EXPECT_THAT(draw(snapshot, {}), Not(HasSubstr("several people")));
   health.state(foretrack_msgs::msg::ServiceHealth_Constants::STATE_DEGRADED);
-  EXPECT_THAT(draw(picture, {}), HasSubstr("several people could be the one who is followed"));
+  EXPECT_THAT(draw(snapshot, {}), HasSubstr("several people could be the one who is followed"));
 }
 
 TEST(Rate, IsThatOfTheLastSecondsOnly) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/offline/flight/flight_truth.hpp"
+#include "services/offline/flight/metrics_json.hpp"
 
 namespace foretrack {
 namespace {

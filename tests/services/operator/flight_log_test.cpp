@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "services/operator/recorder.hpp"
+#include "services/operator/flight_log.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 // The vehicle flies 2 m behind a person who walks along x at 1 m/s.
 struct Flight {
-  explicit Flight(const Scenario& scenario = {}) : recorder(scenario) { recorder.attach(hooks); }
+  explicit Flight(const Scenario& scenario = {}) : log(scenario) { log.attach(hooks); }
 
   void truth(double now_s) {
     nav_msgs::msg::Odometry message;
@@ -37,52 +37,52 @@ struct Flight {
     hooks.safety(message);
   }
 
-  Recorder recorder;
+  FlightLog log;
   Hooks hooks;
 };
 
-TEST(Recorder, MakesRowsAtEqualStepsFromUnevenSamples) {
+TEST(FlightLog, MakesRowsAtEqualStepsFromUnevenSamples) {
   Flight flight;
   double now_s = 100.0;
   for (int i = 0; i < 200; ++i) flight.truth(now_s += i % 3 == 0 ? 0.013 : 0.031);
-  const auto& rows = flight.recorder.rows();
+  const auto& rows = flight.log.rows();
   ASSERT_GT(rows.size(), 200u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_NEAR(rows[i].now_s, Recorder::kStep_s * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(rows[i].now_s, FlightLog::kStep_s * static_cast<double>(i), 1e-9);
     EXPECT_NEAR(rows[i].target.position_enu_m.x() - rows[0].target.position_enu_m.x(),
                 rows[i].now_s, 1e-6);
     EXPECT_NEAR(rows[i].distance_m(), 2.0, 1e-6);
     EXPECT_TRUE(rows[i].sight.visible());
   }
-  EXPECT_NEAR(flight.recorder.path_length_m(), rows.back().now_s, 1e-6);
+  EXPECT_NEAR(flight.log.path_length_m(), rows.back().now_s, 1e-6);
 }
 
-TEST(Recorder, SeesThatAWallHidesThePerson) {
+TEST(FlightLog, SeesThatAWallHidesThePerson) {
   Scenario scenario;
   scenario.world.boxes = {{.min_m = Vec3(-1.2, -2.0, 0.0), .max_m = Vec3(-1.0, 2.0, 3.0)}};
   Flight flight(scenario);
   flight.truth(0.0);
   flight.truth(0.02);
-  ASSERT_FALSE(flight.recorder.rows().empty());
-  EXPECT_FALSE(flight.recorder.rows()[0].sight.visible());
-  EXPECT_NEAR(flight.recorder.rows()[0].clearance_m, 0.8, 1e-3);
+  ASSERT_FALSE(flight.log.rows().empty());
+  EXPECT_FALSE(flight.log.rows()[0].sight.visible());
+  EXPECT_NEAR(flight.log.rows()[0].clearance_m, 0.8, 1e-3);
 }
 
-TEST(Recorder, TakesTheLatencyOfEachImageOnce) {
+TEST(FlightLog, TakesTheLatencyOfEachImageOnce) {
   Flight flight;
   flight.safety(10.08, 10.00);
   flight.safety(10.09, 10.00);
   flight.safety(10.15, 10.05);
-  ASSERT_EQ(flight.recorder.latency_ms().size(), 2u);
-  EXPECT_NEAR(flight.recorder.latency_ms()[0], 80.0, 0.01);
-  EXPECT_NEAR(flight.recorder.latency_ms()[1], 100.0, 0.01);
+  ASSERT_EQ(flight.log.latency_ms().size(), 2u);
+  EXPECT_NEAR(flight.log.latency_ms()[0], 80.0, 0.01);
+  EXPECT_NEAR(flight.log.latency_ms()[1], 100.0, 0.01);
 }
 
-TEST(Recorder, TakesTheWallTimeFromARenderedImageToTheSetpointThatItCaused) {
+TEST(FlightLog, TakesTheWallTimeFromARenderedImageToTheSetpointThatItCaused) {
   double wall_s = 500.0;
-  Recorder recorder(Scenario{}, [&] { return wall_s; });
+  FlightLog log(Scenario{}, [&] { return wall_s; });
   Hooks hooks;
-  recorder.attach(hooks);
+  log.attach(hooks);
   const auto caused_by = [&](double stamp_s) {
     GateReport report;
     report.stamp_s = stamp_s + 0.04;
@@ -100,14 +100,14 @@ TEST(Recorder, TakesTheWallTimeFromARenderedImageToTheSetpointThatItCaused) {
   wall_s += 0.05;
   caused_by(10.05);  // a stamp that was coasted to
   caused_by(10.07);
-  ASSERT_EQ(recorder.wall_latency_ms().size(), 2u);
-  EXPECT_NEAR(recorder.wall_latency_ms()[0], 200.0, 1e-6);
-  EXPECT_NEAR(recorder.wall_latency_ms()[1], 150.0, 1e-6);
-  EXPECT_EQ(recorder.latency_ms().size(), 3u);
+  ASSERT_EQ(log.wall_latency_ms().size(), 2u);
+  EXPECT_NEAR(log.wall_latency_ms()[0], 200.0, 1e-6);
+  EXPECT_NEAR(log.wall_latency_ms()[1], 150.0, 1e-6);
+  EXPECT_EQ(log.latency_ms().size(), 3u);
 }
 
 TEST(Summary, SaysThatAVehicleWhichStoodDidNotFly) {
-  const FlightSummary nothing = summarize(Recorder(Scenario{}), MetricParams{});
+  const FlightSummary nothing = summarize(FlightLog(Scenario{}), MetricParams{});
   EXPECT_FALSE(nothing.happened());
   EXPECT_FALSE(nothing.good());
   Flight flight;
@@ -115,7 +115,7 @@ TEST(Summary, SaysThatAVehicleWhichStoodDidNotFly) {
     flight.truth(0.02 * i);
     flight.hooks.plan({});
   }
-  FlightSummary flown = summarize(flight.recorder, MetricParams{});
+  FlightSummary flown = summarize(flight.log, MetricParams{});
   EXPECT_TRUE(flown.good());
   EXPECT_NEAR(flown.metrics.mean_distance_m, 2.0, 1e-6);
   flown.metrics.collisions = 1;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "services/operator/snapshot_json.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include "services/operator/view.hpp"
 #include "services/operator/words.hpp"
 
 namespace foretrack {
@@ -63,7 +64,7 @@ nlohmann::ordered_json to_json(const TopicFlow& f) {
           {"rejected", rejected}};
 }
 
-nlohmann::ordered_json to_json(const Picture& p) {
+nlohmann::ordered_json to_json(const FlightSnapshot& p) {
   Json json = {{"vehicle", p.vehicle}, {"domain", p.domain}, {"now_s", p.now_s}};
   json["distance_m"] = distance_m(p);
   json["speed_mps"] = speed_mps(p);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "services/operator/picture.hpp"
+#include "services/operator/flight_snapshot.hpp"
 
 #include <cmath>
 
 namespace foretrack {
 namespace {
 
-const nav_msgs::msg::Odometry* vehicle_of(const Picture& p) {
+const nav_msgs::msg::Odometry* vehicle_of(const FlightSnapshot& p) {
   return p.vehicle_truth ? p.vehicle_truth : p.odometry;
 }
 
 }  // namespace
 
-double distance_m(const Picture& p) {
+double distance_m(const FlightSnapshot& p) {
   const auto* vehicle = vehicle_of(p);
   if (!vehicle) return -1.0;
   const auto& from = vehicle->pose().pose().position();
@@ -25,7 +25,7 @@ double distance_m(const Picture& p) {
   return std::hypot(p.target->position_m()[0] - from.x(), p.target->position_m()[1] - from.y());
 }
 
-double speed_mps(const Picture& p) {
+double speed_mps(const FlightSnapshot& p) {
   const auto* vehicle = vehicle_of(p);
   if (!vehicle) return -1.0;
   const auto& v = vehicle->twist().twist().linear();

@@ -9,6 +9,7 @@
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
 #include "services/operator/listener.hpp"
+#include "services/operator/snapshot_json.hpp"
 #include "services/operator/view.hpp"
 
 namespace foretrack {
@@ -42,9 +43,10 @@ int run_monitor(MonitorArguments arguments) {
   loop.every_wall(kTakePeriod_s, [&] { listener.update(); });
   loop.every_wall(on_screen ? kDrawPeriod_s : kLinePeriod_s, [&] {
     view.elapsed_s = node.clock().steady_s() - begin_s;
-    const Picture picture = listener.picture();
-    if (screen) return screen->show(draw(picture, view));
-    const std::string line = arguments.json ? to_json(picture).dump() : status_line(picture, view);
+    const FlightSnapshot snapshot = listener.snapshot();
+    if (screen) return screen->show(draw(snapshot, view));
+    const std::string line =
+        arguments.json ? to_json(snapshot).dump() : status_line(snapshot, view);
     std::printf("%s\n", line.c_str());
     std::fflush(stdout);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "services/operator/demo.hpp"
+#include "services/operator/demo_flight.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -35,17 +35,17 @@ NodeOptions node_options(const FlightSpec& spec) {
   return options;
 }
 
-class Demo {
+class DemoFlight {
  public:
-  Demo(const DemoOptions& options, Stop& stop)
+  DemoFlight(const DemoOptions& options, Stop& stop)
       : options_(options),
         stop_(stop),
         launcher_(options.folder / "logs"),
         node_(node_options(options.spec)),
         loop_(node_, stop),
         listener_(node_, true),
-        recorder_(options.scenario, [this] { return node_.clock().steady_s(); }) {
-    recorder_.attach(listener_.hooks);
+        log_(options.scenario, [this] { return node_.clock().steady_s(); }) {
+    log_.attach(listener_.hooks);
     for (auto& process : onboard_processes(options_.spec)) launcher_.add(std::move(process));
     if (options_.station) launcher_.add(*options_.station);
   }
@@ -59,7 +59,7 @@ class Demo {
     loop_.every_wall(1.0, [this] {
       if (simulator_started_s_ < 0.0) return;
       resources_.sample(launcher_);
-      findings_ = diagnose(listener_.picture());
+      findings_ = diagnose(listener_.snapshot());
     });
     loop_.run();
     wall_s_ = elapsed_s() - std::max(0.0, simulator_started_s_);
@@ -84,7 +84,7 @@ class Demo {
   mutable Node node_;
   Loop loop_;
   Listener listener_;
-  Recorder recorder_;
+  FlightLog log_;
   ResourceMeter resources_;
   std::unique_ptr<Screen> screen_;
   std::vector<std::string> events_;
@@ -97,16 +97,16 @@ class Demo {
 };
 
 // The person sets off as soon as the simulator starts, so it starts when the vehicle is ready.
-bool Demo::onboard_is_ready() {
-  const Picture picture = listener_.picture();
+bool DemoFlight::onboard_is_ready() {
+  const FlightSnapshot snapshot = listener_.snapshot();
   const auto& processes = launcher_.processes();
   const bool all = std::all_of(processes.begin(), processes.end(), [&](const Process& process) {
-    return !is_onboard(process.spec.name) || picture.service(process.spec.name) != nullptr;
+    return !is_onboard(process.spec.name) || snapshot.service(process.spec.name) != nullptr;
   });
   return all || elapsed_s() > kOnboardPatience_s;
 }
 
-void Demo::supervise() {
+void DemoFlight::supervise() {
   for (const auto& line : launcher_.poll()) {
     events_.push_back(fmt::format("{:5.1f} s  {}", elapsed_s(), line));
     if (!screen_) fmt::print("{}\n", events_.back());
@@ -119,38 +119,38 @@ void Demo::supervise() {
 }
 
 // The simulator ends when the scenario does, however slow this machine is.
-bool Demo::is_over() {
+bool DemoFlight::is_over() {
   if (launcher_.any_given_up()) return true;
   if (simulator_started_s_ < 0.0) return false;
-  if (recorder_.rows().size() > rows_) {
-    rows_ = recorder_.rows().size();
+  if (log_.rows().size() > rows_) {
+    rows_ = log_.rows().size();
     last_progress_s_ = elapsed_s();
   }
   return elapsed_s() - std::max(last_progress_s_, simulator_started_s_) > kSilence_s;
 }
 
-void Demo::show() {
-  const Picture picture = listener_.picture();
+void DemoFlight::show() {
+  const FlightSnapshot snapshot = listener_.snapshot();
   ViewOptions view;
   view.colors = screen_ != nullptr;
-  view.elapsed_s = std::max(0.0, recorder_.rows().empty() ? 0.0 : recorder_.rows().back().now_s);
+  view.elapsed_s = std::max(0.0, log_.rows().empty() ? 0.0 : log_.rows().back().now_s);
   if (!screen_) {
-    fmt::print("{}\n", status_line(picture, view));
+    fmt::print("{}\n", status_line(snapshot, view));
     std::fflush(stdout);
     return;
   }
-  std::string text = draw(picture, view);
+  std::string text = draw(snapshot, view);
   if (!options_.page.empty()) text += "page       " + options_.page + '\n';
   for (std::size_t i = events_.size() > 4 ? events_.size() - 4 : 0; i < events_.size(); ++i)
     text += events_[i] + '\n';
   screen_->show(text);
 }
 
-FlightSummary Demo::summary() const {
+FlightSummary DemoFlight::summary() const {
   MetricParams params;
   if (!options_.spec.params_file.empty())
     params = metric_params_of(load_params(options_.spec.params_file));
-  FlightSummary summary = summarize(recorder_, params);
+  FlightSummary summary = summarize(log_, params);
   summary.scenario = options_.scenario.name;
   summary.vehicle = options_.spec.vehicle;
   summary.domain = options_.spec.domain;
@@ -173,10 +173,10 @@ FlightSummary Demo::summary() const {
   return summary;
 }
 
-void Demo::write(const FlightSummary& summary) const {
+void DemoFlight::write(const FlightSummary& summary) const {
   const FlightResult flight{.scenario = options_.scenario,
                             .world = world_of(options_.scenario),
-                            .rows = recorder_.rows(),
+                            .rows = log_.rows(),
                             .metrics = summary.metrics,
                             .plan_ms = {}};
   write_flight(flight, MetricParams{}, options_.folder);
@@ -184,7 +184,7 @@ void Demo::write(const FlightSummary& summary) const {
   file << to_json_text(summary);
   if (!file.flush())
     throw std::runtime_error("cannot write " + (options_.folder / "summary.json").string());
-  if (recorder_.rows().size() < 2) return;
+  if (log_.rows().size() < 2) return;
   try {
     plot_flight(options_.folder);
   } catch (const std::exception& error) {
@@ -192,7 +192,7 @@ void Demo::write(const FlightSummary& summary) const {
   }
 }
 
-int Demo::report() {
+int DemoFlight::report() {
   const FlightSummary of = summary();
   fmt::print("writing {} …\n", options_.folder.string());
   std::fflush(stdout);
@@ -209,10 +209,10 @@ int Demo::report() {
 
 }  // namespace
 
-int run_demo(const DemoOptions& options) {
+int fly_demo(const DemoOptions& options) {
   Stop stop;
   SignalStop signals(stop);
-  Demo demo(options, stop);
+  DemoFlight demo(options, stop);
   demo.fly();
   const int status = demo.report();
   return status;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // foretrack demo: a flight in simulation, every service in its own process.
-#include "services/operator/demo.hpp"
-
 #include <arpa/inet.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -19,6 +17,7 @@
 #include "services/ground_station/control/tokens.hpp"
 #include "services/launch/domain.hpp"
 #include "services/offline/people/load_person.hpp"
+#include "services/operator/demo_flight.hpp"
 #include "services/operator/view.hpp"
 
 namespace foretrack {
@@ -102,7 +101,7 @@ int run(DemoArguments arguments) {
     fmt::print("page: {}\n", options.page);
   }
   std::fflush(stdout);
-  return run_demo(options);
+  return fly_demo(options);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ namespace foretrack {
 
 /// Rows are kStep_s apart in the stamps' time, whatever the messages' rate: truth is interpolated,
 /// beliefs and decisions are the last that came. A row's time counts from the first row.
-class Recorder {
+class FlightLog {
  public:
   static constexpr double kStep_s = 0.02;
 
   /// The scenario gives the true world and the camera, which no topic carries. wall_s: a steady
   /// clock; without it there is no wall_latency_ms().
-  explicit Recorder(const Scenario& scenario, std::function<double()> wall_s = {});
+  explicit FlightLog(const Scenario& scenario, std::function<double()> wall_s = {});
 
-  /// Listens by these hooks. The recorder must outlive them.
+  /// Listens by these hooks. The log must outlive them.
   void attach(Hooks& hooks);
 
   const std::vector<FlightRow>& rows() const { return rows_; }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // foretrack fly: one lock-step flight into a folder.
-#include "services/offline/flight/fly.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,6 +10,8 @@
 #include "services/cli/scenario_options.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
+#include "services/offline/flight/fly.hpp"
+#include "services/offline/flight/metrics_json.hpp"
 #include "services/offline/flight/write_flight.hpp"
 
 namespace foretrack {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that the ground station knows of one flight at one moment.
+// All that is known of one flight at one moment: the newest of each topic.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct ServiceReport {
 };
 
 /// A null pointer: nothing came. The pointers are valid until the listener's next update.
-struct Picture {
+struct FlightSnapshot {
   std::string vehicle;
   int domain = 0;
   double now_s = 0.0;       // simulated, if there is such a clock
@@ -73,8 +73,8 @@ struct Picture {
 
 /// Horizontal distance between vehicle and target (truth if it is there, else the estimate);
 /// negative: not known.
-double distance_m(const Picture& picture);
+double distance_m(const FlightSnapshot& snapshot);
 /// Of the vehicle; negative: not known.
-double speed_mps(const Picture& picture);
+double speed_mps(const FlightSnapshot& snapshot);
 
 }  // namespace foretrack

@@ -37,7 +37,7 @@ std::vector<Finding> examine(DoctorArguments arguments) {
     if (node.clock().steady_s() - begin_s >= arguments.for_s) stop.request();
   });
   loop.run();
-  for (auto& finding : diagnose(listener.picture())) findings.push_back(std::move(finding));
+  for (auto& finding : diagnose(listener.snapshot())) findings.push_back(std::move(finding));
   return findings;
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // foretrack bench: the experiments, by many flights on all cores.
-#include "services/offline/experiments/bench.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 #include <memory>
 
 #include "services/cli/commands.hpp"
+#include "services/offline/experiments/bench.hpp"
 
 namespace foretrack {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // foretrack station, record, replay: the ground station and its recordings.
-#include "services/ground_station/station.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -15,7 +13,9 @@
 #include "services/files/share/share.hpp"
 #include "services/ground_station/bus/bus.hpp"
 #include "services/ground_station/recording/recorder.hpp"
+#include "services/ground_station/recording/recover.hpp"
 #include "services/ground_station/recording/replay.hpp"
+#include "services/ground_station/station.hpp"
 
 namespace foretrack {
 namespace {

@@ -23,6 +23,6 @@ struct DemoOptions {
 /// Returns when the flight is over, or after Ctrl-C. Writes log.csv, metrics.json, summary.json,
 /// flight.png and logs/ into the folder; tells people on standard output. The exit status: 0 if the
 /// vehicle flew without a collision.
-int run_demo(const DemoOptions& options);
+int fly_demo(const DemoOptions& options);
 
 }  // namespace foretrack

@@ -10,6 +10,7 @@
 #include "services/cli/commands.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
+#include "services/operator/snapshot_json.hpp"
 #include "services/operator/topic_watch.hpp"
 #include "services/operator/view.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/network/inference.hpp"
+
 #include <pthreadpool.h>
 #include <xnnpack.h>
 
@@ -6,7 +8,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/network/inference.hpp"
 #include "core/network/network_model.hpp"
 
 namespace foretrack {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/network/inference.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/common/random.hpp"
 #include "core/network/flatbuffer.hpp"
-#include "core/network/inference.hpp"
 #include "tests/core/network/reference_layers.hpp"
 
 namespace foretrack {

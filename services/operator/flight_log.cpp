@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "services/operator/recorder.hpp"
+#include "services/operator/flight_log.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -42,12 +42,12 @@ PersonState person_of(const VehicleState& truth) {
 
 }  // namespace
 
-Recorder::Recorder(const Scenario& scenario, std::function<double()> wall_s)
+FlightLog::FlightLog(const Scenario& scenario, std::function<double()> wall_s)
     : scenario_(scenario), world_(world_of(scenario)), wall_s_(std::move(wall_s)) {
   now_.foresight_m.fill(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
-void Recorder::attach(Hooks& hooks) {
+void FlightLog::attach(Hooks& hooks) {
   hooks.color_image = [this](double stamp_s) { hear_image(stamp_s); };
   hooks.vehicle_truth = [this](const auto& m) { hear_vehicle(m); };
   hooks.target_truth = [this](const auto& m) { hear_target(m); };
@@ -62,27 +62,27 @@ void Recorder::attach(Hooks& hooks) {
   hooks.safety = [this](const auto& m) { hear_safety(m); };
 }
 
-void Recorder::hear_image(double stamp_s) {
+void FlightLog::hear_image(double stamp_s) {
   if (!wall_s_) return;
   if (images_.size() == kMostImages) images_.pop_front();
   images_.push_back({stamp_s, wall_s_()});
 }
 
-void Recorder::hear_vehicle(const nav_msgs::msg::Odometry& odometry) {
+void FlightLog::hear_vehicle(const nav_msgs::msg::Odometry& odometry) {
   const auto state = from_idl(odometry);
   if (!state) return;
   vehicle_.add(*state);
   add_rows();
 }
 
-void Recorder::hear_target(const nav_msgs::msg::Odometry& odometry) {
+void FlightLog::hear_target(const nav_msgs::msg::Odometry& odometry) {
   const auto state = from_idl(odometry);
   if (!state) return;
   target_.add(*state);
   add_rows();
 }
 
-void Recorder::hear_prediction(const foretrack_msgs::msg::TargetPrediction& m) {
+void FlightLog::hear_prediction(const foretrack_msgs::msg::TargetPrediction& m) {
   stage_ms_["predict"].push_back(m.compute_ms());
   const auto prediction = from_idl(m);
   if (!prediction) return;
@@ -90,7 +90,7 @@ void Recorder::hear_prediction(const foretrack_msgs::msg::TargetPrediction& m) {
     now_.foresight_m[i] = ahead(*prediction, kForesight_s[i]);
 }
 
-void Recorder::hear_plan(const foretrack_msgs::msg::PlannedTrajectory& plan) {
+void FlightLog::hear_plan(const foretrack_msgs::msg::PlannedTrajectory& plan) {
   ++plans_;
   now_.planned = true;
   now_.plan_status = static_cast<PlanStatus>(plan.status());
@@ -105,7 +105,7 @@ void Recorder::hear_plan(const foretrack_msgs::msg::PlannedTrajectory& plan) {
   stage_ms_["plan"].push_back(total_ms);
 }
 
-void Recorder::hear_safety(const foretrack_msgs::msg::SafetyState& m) {
+void FlightLog::hear_safety(const foretrack_msgs::msg::SafetyState& m) {
   const auto report = from_idl(m);
   if (!report) return;
   now_.autopilot = report->autopilot;
@@ -115,7 +115,7 @@ void Recorder::hear_safety(const foretrack_msgs::msg::SafetyState& m) {
     take_latency(report->stamp_s, report->caused_by_s);
 }
 
-void Recorder::take_latency(double stamp_s, double cause_s) {
+void FlightLog::take_latency(double stamp_s, double cause_s) {
   last_cause_s_ = cause_s;
   latency_ms_.push_back(1e3 * (stamp_s - cause_s));
   while (!images_.empty() && images_.front().stamp_s < cause_s - kSameStamp_s) images_.pop_front();
@@ -124,7 +124,7 @@ void Recorder::take_latency(double stamp_s, double cause_s) {
   images_.pop_front();
 }
 
-void Recorder::add_rows() {
+void FlightLog::add_rows() {
   if (!vehicle_.newest() || !target_.newest()) return;
   const double until_s = std::min(vehicle_.newest()->stamp_s, target_.newest()->stamp_s);
   if (first_s_ < 0.0) first_s_ = next_s_ = until_s;
@@ -136,7 +136,7 @@ void Recorder::add_rows() {
   }
 }
 
-void Recorder::add_row(const VehicleState& vehicle, const VehicleState& target) {
+void FlightLog::add_row(const VehicleState& vehicle, const VehicleState& target) {
   FlightRow row = now_;
   now_.planned = false;
   row.now_s = next_s_ - first_s_;
@@ -155,7 +155,7 @@ void Recorder::add_row(const VehicleState& vehicle, const VehicleState& target) 
   rows_.push_back(row);
 }
 
-double Recorder::path_length_m() const {
+double FlightLog::path_length_m() const {
   double length = 0.0;
   for (std::size_t i = 1; i < rows_.size(); ++i)
     length += (rows_[i].vehicle.position_enu_m - rows_[i - 1].vehicle.position_enu_m).norm();

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// What we tell ROS 2's tools, so that `ros2 node info` and its like show our nodes.
+#pragma once
+
+namespace foretrack {
+
+class Node;
+
+/// Writes the node's endpoints to ros_discovery_info, in the layout of the distribution that the
+/// node's options name.
+void announce_to_ros(Node& node);
+
+}  // namespace foretrack
