@@ -17,7 +17,11 @@ struct HorizonParams {
   double step_s = 0.2;                 // Δ
   double replan_lead_s = 0.02;         // a new plan joins the flown one this far ahead
   double restart_distance_m = 0.6;     // further from the flown trajectory: start where it is
+  double plan_period_s = 0.03;         // least time between two replans
+  double plan_latest_s = 0.05;         // without new data it is replanned after that long
   double vehicle_stale_s = 0.5;        // an older vehicle state is not planned from
+  double target_stale_s = 0.6;         // an older target is lost, an older prediction not used
+  double map_stale_s = 2.0;            // an older map is none
   double search_s = 12.0;              // a lost target is searched for so long
   double target_radius_m = 0.35;       // around the person the map may hold the person
   bool hedging = true;                 // expectation over the intention paths

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/planning/plan.hpp"
+#include "core/planning/planning_state.hpp"
 
 namespace foretrack {
 namespace {

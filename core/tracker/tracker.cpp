@@ -15,10 +15,6 @@ const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
 
 }  // namespace
 
-ParamRows rows(TrackerRates& rates) {
-  return {{"plan_period_s", &rates.plan_period_s, "s", 0.01, 1.0, "between two replans"}};
-}
-
 TrackerState::TrackerState(const TrackerParams& params) : mapping(params.mapping) {}
 
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params) {
@@ -39,7 +35,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
 
   const PlannedTrajectory* fresh = nullptr;
   if (out.map && input.now_s >= state.next_plan_s) {
-    state.next_plan_s = input.now_s + params.tracker.plan_period_s - 1e-6;
+    state.next_plan_s = input.now_s + params.planning.horizon.plan_period_s - 1e-6;
     out.prediction = &predict(state.prediction, out.target, *out.map, params.prediction);
     out.plan = &plan(state.planning,
                      {.now_s = input.now_s,

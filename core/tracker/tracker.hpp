@@ -13,13 +13,7 @@
 
 namespace foretrack {
 
-struct TrackerRates {
-  double plan_period_s = 0.03;
-};
-ParamRows rows(TrackerRates& rates);
-
 struct TrackerParams {
-  TrackerRates tracker;
   PerceptionParams perception;
   MappingParams mapping;
   PredictionParams prediction;

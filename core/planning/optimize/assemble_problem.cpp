@@ -57,7 +57,7 @@ Vec3 mean_velocity(const ExpectedTarget& target) {
 
 // The target's velocity at the horizon, as much of it as leaves room to stop after the goal.
 Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& target_velocity) {
-  const FlightLimits& limits = context.params.limits;
+  const FlightLimits& limits = context.limits;
   Vec3 wanted(target_velocity.x(), target_velocity.y(), 0.0);
   const double most_m_s = kGoalSpeedShare * limits.speed_max_m_s;
   const double speed_m_s = wanted.norm();
@@ -121,7 +121,7 @@ void guess_trajectory(const SearchContext& context, const FlightPath& path, cons
       context.params.horizon.step_s * static_cast<double>(target.paths[0].positions_enu_m.size());
   problem.height_above_target_m =
       context.surface.level_z_m - target.paths[0].positions_enu_m.front().z();
-  problem.limits = context.params.limits;
+  problem.limits = context.limits;
 }
 
 }  // namespace foretrack

@@ -105,7 +105,7 @@ class LookingAhead {
 
   void turn_waypoint(const Vec3& target, const ViewSector& sector) {
     const double reach_m =
-        kTurnReachShare * context_.params.limits.speed_max_m_s * context_.params.horizon.step_s;
+        kTurnReachShare * context_.limits.speed_max_m_s * context_.params.horizon.step_s;
     const Vec3 waypoint = out_.way.points.back();
     const Vec3 moved = rotate_into(context_, target, waypoint, sector, reach_m);
     if (moved != waypoint) out_.way.points.push_back(moved);

@@ -101,7 +101,7 @@ void make_samples(const SearchContext& context, const ExpectedTarget& expected,
   const Sampling sampling(context, expected, ahead);
   samples.clear();
   for (std::size_t k = 0; k < ahead.views[0].size(); ++k) {
-    const Reach reach = reach_at(start, context.params.limits, sampling.time_s(k));
+    const Reach reach = reach_at(start, context.limits, sampling.time_s(k));
     for (int i = 0; i < expected.count; ++i) {
       if (expected.owner(i, k, context.params.horizon.merge_distance_m) != i) continue;
       samples.push_back(sampling.sample(i, k, score_decelerate));

@@ -26,8 +26,8 @@ void measure(const std::vector<Vec3>& points, std::vector<double>& arc_m) {
 void schedule(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
               FlightPathWorkspace& w) {
   const double step_s = context.params.horizon.step_s;
-  const double speed_max = kSpeedShare * context.params.limits.speed_max_m_s;
-  const double gain = kAccelerationShare * context.params.limits.acceleration_max_m_s2 * step_s;
+  const double speed_max = kSpeedShare * context.limits.speed_max_m_s;
+  const double gain = kAccelerationShare * context.limits.acceleration_max_m_s2 * step_s;
   double speed_m_s = start_speed_m_s, at_m = 0.0;
   w.schedule_m.assign(1, 0.0);
   for (const int index : way.arrival) {
@@ -74,7 +74,7 @@ double time_at(const FlightPathWorkspace& w, double arc_m, double step_s, double
 void make_flight_path(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
                       FlightPathWorkspace& w, FlightPath& path) {
   const PlanningParams& params = context.params;
-  const double speed_m_s = kSpeedShare * params.limits.speed_max_m_s;
+  const double speed_m_s = kSpeedShare * context.limits.speed_max_m_s;
   const double step_s = params.horizon.step_s;
   measure(way.points, w.arc_m);
   schedule(context, way, start_speed_m_s, w);

@@ -36,6 +36,7 @@ struct SearchContext {
   const GridMap& map;
   const FlightSurface& surface;
   const PlanningParams& params;
+  const FlightLimits& limits;      // the plan's own: a search is slower than the parameters
   double wanted_distance_m = 2.0;  // radius of the ring around the target
   double ring_tolerance_m = 0.2;   // its half width
 };

@@ -60,9 +60,11 @@ std::string range_of(const ParamRow& row) {
 }  // namespace
 
 Stages stages_of(TrackerParams& params) {
-  return {{"tracker", rows(params.tracker)},   {"perception", rows(params.perception)},
-          {"mapping", rows(params.mapping)},   {"prediction", rows(params.prediction)},
-          {"planning", rows(params.planning)}, {"safety", rows(params.safety)}};
+  return {{"perception", rows(params.perception)},
+          {"mapping", rows(params.mapping)},
+          {"prediction", rows(params.prediction)},
+          {"planning", rows(params.planning)},
+          {"safety", rows(params.safety)}};
 }
 
 std::string find_params(const std::string& name_or_file) {

@@ -19,11 +19,7 @@ constexpr auto convert = [](auto&& message) {
   return from_idl(std::forward<decltype(message)>(message));
 };
 
-constexpr double kLatest_s = 0.05;   // between two plans
-constexpr double kSoonest_s = 0.02;  // the same
 constexpr double kWatchPeriod_s = 0.01;
-constexpr double kStale_s = 0.6;  // targets and predictions: their source has died
-constexpr double kMapStale_s = 2.0;
 constexpr double kDrawPeriod_s = 0.1;
 
 double steady_s() {
@@ -62,47 +58,42 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
     prediction_ = std::move(prediction);
     // Not before the last plan has started: the gate keeps but one waiting.
-    const double soonest_s = std::max(kSoonest_s, params_.horizon.replan_lead_s);
+    const double soonest_s = std::max(params_.horizon.plan_period_s, params_.horizon.replan_lead_s);
     if (std::abs(service_.clock().now_s() - planned_s_) >= soonest_s) replan();
   });
   loop.every(kWatchPeriod_s, [this] { replan_if_late(); });
 }
 
 void PlanningService::replan_if_late() {
-  if (std::abs(service_.clock().now_s() - planned_s_) >= kLatest_s) replan();
-}
-
-bool PlanningService::map_is_usable(double now_s) const {
-  return !map_.empty() && (map_.stamp_s == 0.0 || now_s - map_.stamp_s < kMapStale_s);
+  if (std::abs(service_.clock().now_s() - planned_s_) >= params_.horizon.plan_latest_s) replan();
 }
 
 PlanInput PlanningService::gather(double now_s) const {
-  const auto fresh = [&](double stamp_s) { return now_s - stamp_s < kStale_s; };
   PlanInput in;
   in.now_s = now_s;
   in.target = target_;
   in.vehicle.stamp_s = -1e9;
   if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
-  if (in.target.usable() && !fresh(in.target.stamp_s)) in.target.status = TrackStatus::kLost;
-  if (intention_ && fresh(intention_->stamp_s)) in.intention = &*intention_;
-  if (prediction_ && fresh(prediction_->stamp_s)) in.prediction = &*prediction_;
-  if (map_is_usable(now_s)) in.map = &map_;
+  if (intention_) in.intention = &*intention_;
+  if (prediction_) in.prediction = &*prediction_;
+  in.map = &map_;
   return in;
 }
 
-std::string PlanningService::missing(double now_s) const {
-  if (vehicle_.age_s(now_s) > params_.horizon.vehicle_stale_s) return "no odometry";
-  if (!map_is_usable(now_s)) return "no map";
-  if (now_s - target_.stamp_s > kStale_s) return "no target state";
-  if (!prediction_ || now_s - prediction_->stamp_s > kStale_s) return "no prediction";
+std::string PlanningService::missing(const PlanInput& in) const {
+  const PlanInput fresh = without_stale(in, params_.horizon);
+  if (vehicle_.age_s(in.now_s) > params_.horizon.vehicle_stale_s) return "no odometry";
+  if (!fresh.map) return "no map";
+  if (in.now_s - target_.stamp_s > params_.horizon.target_stale_s) return "no target state";
+  if (!fresh.prediction) return "no prediction";
   return {};
 }
 
 void PlanningService::replan() {
   const double now_s = service_.clock().now_s();
   planned_s_ = now_s;
-  service_.health().set_degraded(missing(now_s));
   const PlanInput input = gather(now_s);
+  service_.health().set_degraded(missing(input));
   publish(plan(state_, input, params_));
 }
 

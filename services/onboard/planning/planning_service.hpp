@@ -26,10 +26,9 @@ class PlanningService {
   void replan();
   void replan_if_late();
   PlanInput gather(double now_s) const;
-  std::string missing(double now_s) const;
+  std::string missing(const PlanInput& input) const;
   void publish(const PlanResult& result);
   void draw(const PlannedTrajectory& plan);
-  bool map_is_usable(double now_s) const;
 
   Service& service_;
   PlanningParams params_;

@@ -48,7 +48,7 @@ struct FlatContext {
   GridMap map;
   FlightSurface surface;
   PlanningParams params;
-  SearchContext context() const { return {map, surface, params, 2.0, 0.2}; }
+  SearchContext context() const { return {map, surface, params, params.limits, 2.0, 0.2}; }
 };
 
 }  // namespace foretrack::testing

@@ -31,19 +31,19 @@ TEST(LoadParams, KeepsTheDefaultsThatTheFileDoesNotName) {
   const TrackerParams params = load("safety:\n  plan_fresh_s: 0.5\nplanning:\nprediction: {}\n");
   EXPECT_EQ(params.safety.plan_fresh_s, 0.5);
   EXPECT_EQ(params.safety.hover_limit_s, SafetyParams{}.hover_limit_s);
-  EXPECT_EQ(load("").tracker.plan_period_s, TrackerRates{}.plan_period_s);
+  EXPECT_EQ(load("").planning.horizon.plan_period_s, HorizonParams{}.plan_period_s);
 }
 
 TEST(LoadParams, NamesEveryFaultWithItsLine) {
   const std::string error = error_of(
       "safety:\n  plan_fresh_s: soon\n  no_such_s: 1\n  hover_limit_s: nan\n"
-      "perception: 3\nflying: {}\ntracker:\n  plan_period_s: 99\n");
+      "perception: 3\nflying: {}\nplanning:\n  plan_period_s: 99\n");
   EXPECT_THAT(error, AllOf(HasSubstr("params.yaml:2: safety.plan_fresh_s: 'soon' is not a number"),
                            HasSubstr(":3: safety.no_such_s: no such parameter"),
                            HasSubstr(":4: safety.hover_limit_s"),
                            HasSubstr(":5: perception: expected a mapping"),
-                           HasSubstr(":6: flying: unknown stage; the stages are tracker"),
-                           HasSubstr(":8: tracker.plan_period_s: 99 is not in")));
+                           HasSubstr(":6: flying: unknown stage; the stages are perception"),
+                           HasSubstr(":8: planning.plan_period_s: 99 is not in")));
 }
 
 TEST(LoadParams, RefusesAKeyGivenTwiceAndAFileThatIsNotThere) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/planning/motion/fall_back.hpp"
+#include "core/planning/motion/clear_rest.hpp"
 
 #include <algorithm>
-
-#include "core/planning/motion/stop_tail.hpp"
 
 namespace foretrack {
 
@@ -26,14 +24,6 @@ bool rest_is_clear(const GridMap& map, const PlannedTrajectory& trajectory, doub
     }
   }
   return true;
-}
-
-void make_stop(const PlanStart& start, const PlanningParams& params, AimWorkspace& workspace,
-               PlannedTrajectory& trajectory) {
-  trajectory.pieces.assign(1, make_stop_tail(start.state, params.limits).piece);
-  trajectory.tail_start_s = 0.0;
-  trajectory.visible_regions.clear();
-  hold_camera(start, params, workspace, trajectory);
 }
 
 }  // namespace foretrack

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/planning/report_plan.hpp"
+#include "core/planning/publish_plan.hpp"
 
 namespace foretrack {
+namespace {
 
 void fill_views(PlanningState& s, double begin_s, double step_s, PlannedTrajectory& t) {
   resize_polytopes(s.corridor, t.corridor, s.problem.corridor.size());
@@ -20,6 +21,21 @@ void fill_views(PlanningState& s, double begin_s, double step_s, PlannedTrajecto
     region.waypoint_enu_m = s.ahead.way.points[s.ahead.way.arrival[k]];
     t.visible_regions.push_back(region);
   }
+}
+
+}  // namespace
+
+const PlanResult& publish(PlanningState& s, const PlanTask& task, double way_begin_s,
+                          const StageClock& clock) {
+  auto& [trajectory, diagnostics] = s.next_result();
+  trajectory.id = ++s.last_id;
+  trajectory.stamp_s = task.lost ? s.belief.stamp_s : task.input.target.stamp_s;
+  trajectory.status = task.lost ? PlanStatus::kSearch : PlanStatus::kFresh;
+  trajectory.reason = task.lost ? PlanReason::kTargetLost : diagnostics.check.reason;
+  fill_views(s, way_begin_s, task.params.horizon.step_s, trajectory);
+  count_work(s, clock, diagnostics);
+  s.flown = 1 - s.flown;
+  return s.flown_result();
 }
 
 void count_work(const PlanningState& s, const StageClock& clock, PlanDiagnostics& d) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// From an optimisation problem to a trajectory that passed the check, in up to three attempts.
+#pragma once
+
+#include <optional>
+
+#include "core/planning/plan_task.hpp"
+#include "core/planning/planning_state.hpp"
+
+namespace foretrack {
+
+/// Optimises state.problem and checks the result, which is the next candidate. A second attempt is
+/// slower, ends at rest, and weighs the hard limits more; a third one hardly cares for sight and
+/// distance. kOk: the candidate passed the check, or it retreats from a target that comes too near
+/// whatever is planned. Else the reason why the first attempt failed. state.problem is left with
+/// the slower first guess once a second attempt was made.
+PlanReason attempt_all(PlanningState& state, const PlanTask& task,
+                       const std::optional<QuinticPiece>& first, StageClock& clock);
+
+/// Checks the next candidate as a trajectory from the task's start. The diagnostics keep the
+/// result.
+PlanReason check_candidate(PlanningState& state, const PlanTask& task);
+
+}  // namespace foretrack

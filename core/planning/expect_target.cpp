@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/planning/expect_target.hpp"
+
+namespace foretrack {
+namespace {
+
+bool is_finite(const TargetState& target) {
+  return target.position_enu_m.allFinite() && target.velocity_enu_m_s.allFinite() &&
+         std::isfinite(target.stamp_s);
+}
+
+// The camera turns on round the side where the target was going.
+void begin_search(PlanningState& state, const PlanInput& input) {
+  state.lost_since_s = input.now_s;
+  const Vec3& last = state.belief.paths[0].states.back().position_enu_m;
+  const double bearing_rad = yaw_of(Vec2((last - input.vehicle.position_enu_m).head<2>()));
+  state.search_turn = wrap_angle(bearing_rad - input.vehicle.yaw_rad()) >= 0.0 ? 1.0 : -1.0;
+}
+
+}  // namespace
+
+PlanReason expect_target(PlanningState& state, const PlanInput& input,
+                         const HorizonParams& params) {
+  const TargetState& target = input.target;
+  if (target.usable() && is_finite(target)) {
+    // Out of sight, the target goes on as its intentions were; constant velocity knows less.
+    if (target.status == TrackStatus::kTracking || !state.seen_before)
+      update_belief(state.belief, target, input.prediction, params);
+    state.seen_before = true;
+    state.lost_since_s = -1.0;
+    return PlanReason::kOk;
+  }
+  if (!state.seen_before) return PlanReason::kNoTarget;
+  if (!state.lost()) begin_search(state, input);
+  const bool searching = input.now_s - state.lost_since_s < params.search_s;
+  return searching ? PlanReason::kOk : PlanReason::kTargetLost;
+}
+
+}  // namespace foretrack
