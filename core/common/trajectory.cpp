@@ -19,7 +19,7 @@ Vec3 QuinticPiece::derivative(double t, int order) const {
 AngleNode AnglePlan::at(double t_s) const {
   if (nodes.empty()) return {};
   const double last_s = dt_s * static_cast<double>(nodes.size() - 1);
-  if (t_s >= last_s) return {nodes.back().angle_rad, 0.0};
+  if (nodes.size() == 1 || t_s >= last_s) return {nodes.back().angle_rad, 0.0};
   const double clamped_s = std::max(t_s, 0.0);
   const auto k = std::min(static_cast<std::size_t>(clamped_s / dt_s), nodes.size() - 2);
   const double u = clamped_s - dt_s * static_cast<double>(k);

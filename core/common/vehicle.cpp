@@ -27,7 +27,7 @@ const VehicleState* VehicleHistory::newest() const {
 
 void VehicleHistory::add(const VehicleState& state) {
   if (const VehicleState* last = newest(); last && state.stamp_s <= last->stamp_s) return;
-  if (states_.size() < states_.capacity()) {
+  if (states_.size() < capacity_) {
     states_.push_back(state);
     next_ = 0;
   } else {

@@ -2,6 +2,7 @@
 // The vehicle's state, its recent history, and what is commanded to its flight controller.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,15 +11,17 @@
 
 namespace foretrack {
 
-/// World ENU, body FLU.
+/// Where the vehicle is and how it moves. World ENU, body FLU.
 struct VehicleState {
   double stamp_s = 0.0;
   Vec3 position_enu_m = Vec3::Zero();
   Vec3 velocity_enu_m_s = Vec3::Zero();
-  Quat q_world_body = Quat::Identity();
+  Quat q_world_body = Quat::Identity();  ///< attitude
   Vec3 angular_velocity_body_rad_s = Vec3::Zero();
 
+  /// ENU, counter-clockwise from east.
   double yaw_rad() const { return yaw_of(q_world_body); }
+  /// Position and attitude: a point in the body times this is the point in the world.
   Pose T_world_body() const {
     Pose pose = Pose::Identity();
     pose.linear() = q_world_body.toRotationMatrix();
@@ -27,39 +30,48 @@ struct VehicleState {
   }
 };
 
-/// The last states, so that an image meets the pose at its own stamp. Fixed capacity, oldest
-/// dropped.
+/// The last states of the vehicle, so that an image is put together with the pose at its own stamp.
+/// It keeps a fixed number of states and drops the oldest.
 class VehicleHistory {
  public:
-  explicit VehicleHistory(std::size_t capacity = 256) { states_.reserve(capacity); }
-  /// Ignores states that are not newer than the newest one.
+  /// `capacity`: states that are kept, at least one. Their memory is taken here.
+  explicit VehicleHistory(std::size_t capacity = 256)
+      : capacity_(std::max<std::size_t>(capacity, 1)) {
+    states_.reserve(capacity_);
+  }
+  /// Ignores a state that is not newer than the newest one. Allocates nothing (a copy of a history
+  /// does, until it is full).
   void add(const VehicleState& state);
-  /// Interpolated (position linear, attitude slerp); none outside the history by more than slack_s.
+  /// The state at a stamp, between the two states around it: position and velocities linearly, the
+  /// attitude by spherical interpolation. Up to slack_s before the oldest or after the newest state
+  /// it is that state. None farther away. Cost: logarithmic in the states.
   std::optional<VehicleState> at(double stamp_s, double slack_s = 0.05) const;
+  /// Null before the first one.
   const VehicleState* newest() const;
 
  private:
+  std::size_t capacity_;
   std::vector<VehicleState> states_;  // a ring once full
-  std::size_t next_ = 0;
+  std::size_t next_ = 0;              // the oldest, once full
 };
 
-/// What the safety gate commands. NaN in a field: not controlled.
+/// What the safety gate commands the flight controller to fly. NaN in a field: not controlled.
 struct Setpoint {
   double stamp_s = 0.0;
   Vec3 position_enu_m = Vec3::Zero();
   Vec3 velocity_enu_m_s = Vec3::Zero();
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   Vec3 jerk_enu_m_s3 = Vec3::Zero();
-  double yaw_rad = 0.0;  // ENU
+  double yaw_rad = 0.0;  ///< ENU
   double yaw_rate_rad_s = 0.0;
 };
 
 /// What the flight controller says of itself.
 struct AutopilotStatus {
-  double stamp_s = -1.0;  // < 0: never heard of
-  bool armed = false;
-  bool offboard = false;
-  bool failsafe = false;
+  double stamp_s = -1.0;  ///< below 0: never heard of
+  bool armed = false;     ///< the motors may turn
+  bool offboard = false;  ///< it flies our setpoints
+  bool failsafe = false;  ///< it has taken over by itself
 };
 
 }  // namespace foretrack

@@ -103,5 +103,13 @@ TEST(PlanNames, AreOnePerValue) {
   EXPECT_EQ(to_string(PlanReason::kTooNearTarget), "too near the target");
 }
 
+TEST(AnglePlan, OfOneNodeIsThatAngleAtAnyTime) {
+  const AnglePlan plan{.dt_s = 0.1, .nodes = {{0.7, 2.0}}};
+  for (const double t_s : {-1.0, -1e-9, 0.0, 5.0}) {
+    EXPECT_EQ(plan.at(t_s).angle_rad, 0.7) << t_s;
+    EXPECT_EQ(plan.at(t_s).rate_rad_s, 0.0) << t_s;
+  }
+}
+
 }  // namespace
 }  // namespace foretrack

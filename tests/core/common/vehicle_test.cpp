@@ -75,5 +75,25 @@ TEST(VehicleHistory, IgnoresStatesThatAreNotNewer) {
   EXPECT_FALSE(history.at(0.5).has_value());
 }
 
+TEST(VehicleHistory, ACopyHoldsAsManyStatesAsTheOriginal) {
+  const VehicleHistory empty(4);
+  VehicleHistory copy = empty;
+  for (int k = 0; k < 6; ++k) copy.add({.stamp_s = 1.0 * k});
+  EXPECT_TRUE(copy.at(2.0, 0.0)) << "four states are kept";
+  EXPECT_FALSE(copy.at(1.0, 0.0));
+  VehicleHistory again = copy;
+  again.add({.stamp_s = 6.0});
+  EXPECT_EQ(again.newest()->stamp_s, 6.0);
+  EXPECT_TRUE(again.at(3.0, 0.0));
+  EXPECT_FALSE(again.at(2.0, 0.0));
+}
+
+TEST(VehicleHistory, HoldsAtLeastOneState) {
+  VehicleHistory history(0);
+  history.add({.stamp_s = 1.0});
+  history.add({.stamp_s = 2.0});
+  EXPECT_EQ(history.newest()->stamp_s, 2.0);
+}
+
 }  // namespace
 }  // namespace foretrack
