@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only place where frames are converted: world ENU ↔ NED, body FLU ↔ FRD, body FLU ↔ optical.
+// The only place where frames are converted.
+//
+// World frames: ENU (x east, y north, z up; ours) and NED (x north, y east, z down; PX4's).
+// Body frames: FLU (x forward, y left, z up; ours) and FRD (x forward, y right, z down; PX4's).
+// Camera frame: optical (x right, y down, z forward).
 #pragma once
 
 #include "core/common/geometry.hpp"
 
 namespace foretrack {
 
-/// (x, y, z) → (y, x, −z). Its own inverse, for positions, velocities and accelerations.
+/// A vector in world ENU as world NED, and the other way: (x, y, z) → (y, x, −z). For positions,
+/// velocities and accelerations. It is its own inverse.
 inline Vec3 swap_enu_ned(const Vec3& v) {
   return {v.y(), v.x(), -v.z()};
 }
 
-/// (x, y, z) → (x, −y, −z). Its own inverse.
+/// A vector in body FLU as body FRD, and the other way: (x, y, z) → (x, −y, −z). It is its own
+/// inverse.
 inline Vec3 swap_flu_frd(const Vec3& v) {
   return {v.x(), -v.y(), -v.z()};
 }
 
-/// yaw_ned = π/2 − yaw_enu. Its own inverse.
+/// Yaw from east, counter-clockwise (ENU) as yaw from north, clockwise (NED), and the other way:
+/// π/2 − yaw, in [-π, π]. It is its own inverse.
 inline double swap_yaw_enu_ned(double yaw_rad) {
   return wrap_angle(kPi / 2.0 - yaw_rad);
 }
-/// Yaw rates change their sign between ENU and NED.
+/// The same for a yaw rate: only its sign changes.
 inline double swap_yaw_rate_enu_ned(double rate_rad_s) {
   return -rate_rad_s;
 }
 
-/// q_enu_flu ↔ q_ned_frd (PX4's attitude). Its own inverse up to the sign of the quaternion.
+/// The attitude of body FLU in world ENU as that of body FRD in world NED (PX4's), and the other
+/// way. It is its own inverse but for the sign of the quaternion, which means the same rotation.
 Quat swap_attitude_enu_ned(const Quat& q);
 
-/// Rotation of an optical frame (x right, y down, z forward) in a FLU frame looking along x.
+/// Rotation that takes a vector in the optical frame of a camera that looks along body x to body
+/// FLU.
 Mat3 flu_from_optical();
 
 }  // namespace foretrack

@@ -12,11 +12,13 @@ namespace foretrack {
 struct RgbImage {
   int width_px = 0;
   int height_px = 0;
-  std::vector<std::uint8_t> rgb;
+  std::vector<std::uint8_t> rgb;  ///< 3 × width × height
 
+  /// The three bytes of a pixel. Preconditions: 0 ≤ column < width, 0 ≤ row < height; not checked.
   const std::uint8_t* pixel(int column, int row) const {
     return rgb.data() + 3 * (static_cast<std::size_t>(row) * width_px + column);
   }
+  /// The same, to be written to.
   std::uint8_t* pixel(int column, int row) {
     return rgb.data() + 3 * (static_cast<std::size_t>(row) * width_px + column);
   }

@@ -11,30 +11,31 @@
 
 namespace foretrack {
 
+/// What it is, as far as that matters.
 enum class BodyKind : std::uint8_t { kPerson, kVehicle, kUnknown };
 
 /// An upright cylinder that moves over the ground. World ENU, SI.
 struct MovingBody {
   static constexpr int kMaxPlaces = 16;
 
-  std::uint32_t id = 0;  // stays with the body for as long as it is tracked; 0: has none yet
+  std::uint32_t id = 0;  ///< stays with the body for as long as it is tracked; 0: has none yet
   BodyKind kind = BodyKind::kUnknown;
-  bool followed = false;  // the person who is followed
-  double stamp_s = 0.0;   // of position and velocity
-  Vec3 position_enu_m =
-      Vec3::Zero();  // the middle of its lowest face: a person's place on the ground
+  bool followed = false;  ///< the person who is followed
+  double stamp_s = 0.0;   ///< of position and velocity
+  /// The middle of its lowest face: a person's place on the ground.
+  Vec3 position_enu_m = Vec3::Zero();
   Vec3 velocity_enu_m_s = Vec3::Zero();
-  Mat2 position_covariance_m2 = Mat2::Zero();     // horizontal
-  Mat2 velocity_covariance_m2_s2 = Mat2::Zero();  // horizontal
+  Mat2 position_covariance_m2 = Mat2::Zero();     ///< horizontal
+  Mat2 velocity_covariance_m2_s2 = Mat2::Zero();  ///< horizontal
   double radius_m = 0.25;
   double height_m = 1.75;
-  // Where it is expected step_s, 2 step_s, … after the stamp. Without any: constant velocity.
-  double step_s = 0.2;
-  int place_count = 0;
+  double step_s = 0.2;  ///< between the places below
+  int place_count = 0;  ///< of the places below; 0: it keeps its velocity
+  /// Where it is expected step_s, 2 · step_s, … after the stamp; the first place_count are valid.
   std::array<Vec3, kMaxPlaces> places_enu_m{};
 
-  /// Where it is expected at a time. Between places: linear. Before the stamp: as at it. After the
-  /// last place: on with the velocity of the last step.
+  /// Where it is expected at an absolute time. Between places: linear. Before the stamp: as at it.
+  /// After the last place: on with the velocity of the last step.
   Vec3 expected_at(double time_s) const;
 };
 
@@ -43,9 +44,10 @@ struct MovingBodies {
   static constexpr int kCapacity = 16;
 
   double stamp_s = 0.0;
-  int count = 0;
+  int count = 0;  ///< the first of `bodies` that are valid
   std::array<MovingBody, kCapacity> bodies{};
 
+  /// Those that are valid.
   std::span<const MovingBody> all() const {
     return {bodies.data(), static_cast<std::size_t>(count)};
   }
@@ -56,8 +58,8 @@ struct MovingBodies {
 
 /// How any body may move, whatever it is expected to do.
 struct BodyMotionBounds {
-  double speed_m_s = 2.0;  // or as fast as it is seen to be
-  double acceleration_m_s2 = 3.0;
+  double speed_m_s = 2.0;          ///< greatest; or as fast as it is seen to be, if that is more
+  double acceleration_m_s2 = 3.0;  ///< greatest, in any direction
 };
 
 /// The gap in space between a ball (the vehicle's hull) and an upright cylinder: the distance of

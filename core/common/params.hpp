@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One row per parameter: the same rows load, validate, print and document.
+//
+// Every params struct P has `ParamRows rows(P&)`: one row per field, in the order in which they are
+// documented.
 #pragma once
 
 #include <string>
@@ -9,27 +12,25 @@
 
 namespace foretrack {
 
-/// A view of one field of a params struct. Valid as long as the struct is.
+/// A view of one field of a params struct. It is valid as long as the struct is.
 struct ParamRow {
-  std::string_view name;  // ends in its unit
-  std::variant<double*, int*, bool*> value;
-  std::string_view unit;
-  double min = 0.0;
-  double max = 0.0;
-  std::string_view meaning;
+  std::string_view name;                     ///< as in parameter files; ends in its unit
+  std::variant<double*, int*, bool*> value;  ///< the field
+  std::string_view unit;                     ///< "1": a ratio or a count
+  double min = 0.0;                          ///< least allowed value
+  double max = 0.0;                          ///< greatest allowed value
+  std::string_view meaning;                  ///< a phrase for whoever sets it
 };
 using ParamRows = std::vector<ParamRow>;
 
-/// Every params struct P has `ParamRows rows(P&)`, in the order in which they are documented.
-
-/// One line per fault: NaN or out of range. Empty: all are valid.
+/// One line for each value that is not finite or out of its range. Empty: all are valid.
 std::vector<std::string> faults_of(const ParamRows& rows);
-/// Throws std::invalid_argument that lists every fault.
+/// Throws std::invalid_argument that names the stage and lists every fault.
 void validate_or_throw(std::string_view stage, const ParamRows& rows);
-/// Sets the named row from text. Returns the fault, or an empty string. Unknown names and bad text
-/// are faults.
+/// Sets the row of that name from text. Returns the fault (no such name, bad text, out of range) or
+/// an empty string. A value that is out of range has been set all the same.
 std::string set_param(const ParamRows& rows, std::string_view name, std::string_view text);
-/// The value as text, as a parameter file would have it.
+/// The value as a parameter file would have it.
 std::string text_of(const ParamRow& row);
 
 }  // namespace foretrack

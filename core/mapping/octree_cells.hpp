@@ -8,17 +8,20 @@
 
 namespace foretrack {
 
-inline constexpr int kTreeDepth = 16;
-inline constexpr int kTreeCentre = 1 << (kTreeDepth - 1);  // the octree's key of index 0
+inline constexpr int kTreeDepth = 16;                      ///< of every OctoMap octree
+inline constexpr int kTreeCentre = 1 << (kTreeDepth - 1);  ///< the octree's key of index 0
 
+/// The octree's key of a cell. Precondition: each index is in [-32768, 32768).
 inline octomap::OcTreeKey key_of(const Eigen::Vector3i& index) {
   return {static_cast<octomap::key_type>(index.x() + kTreeCentre),
           static_cast<octomap::key_type>(index.y() + kTreeCentre),
           static_cast<octomap::key_type>(index.z() + kTreeCentre)};
 }
 
-/// Calls visit(occupied, from, to) for each known leaf that meets the box of cells [low, high):
-/// [from, to) are the leaf's cells in the box, counted from `low`. A pruned leaf covers many.
+/// Calls visit(occupied, from, to) for each known leaf that meets the box of cells [low, high). The
+/// leaf's cells in the box are [from, to), counted from `low`: one cell, or many of a pruned leaf.
+/// Cells that the octree does not know are not visited. Preconditions: the box is not empty and
+/// inside the octree. Cost: linear in the leaves.
 template <class Visit>
 void for_each_leaf(const octomap::OcTree& tree, const Eigen::Vector3i& low,
                    const Eigen::Vector3i& high, Visit&& visit) {

@@ -6,6 +6,8 @@
 
 namespace foretrack {
 
+/// What each of them means, and its range, is in its row: see rows(), or `foretrack params
+/// mapping`.
 struct MappingParams {
   double resolution_m = 0.15;
   double box_width_m = 15.0;

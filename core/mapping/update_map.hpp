@@ -17,51 +17,67 @@
 
 namespace foretrack {
 
+/// What became of a depth image.
 enum class MapStatus : std::uint8_t {
-  kUpdated,
-  kNoVehiclePose,  // the history does not reach the image's stamp
-  kInvalidImage,   // its size is not that of its camera
+  kUpdated,        ///< it is in the map
+  kNoVehiclePose,  ///< the vehicle's history does not reach the image's stamp; nothing changed
+  kInvalidImage,   ///< its size is not that of its camera; nothing changed
 };
+/// For logs and displays.
 std::string_view to_string(MapStatus status);
 
-/// Log-odds of the cells near the vehicle in a dense box that scrolls with it; the class of every
-/// cell ever seen in an octree, from which the box is filled where it comes to lie anew. Cells of
-/// the box and leaves of the octree coincide.
+/// The map that is being built. It has two parts:
+///
+/// - A dense box around the vehicle that scrolls with it. It holds the log-odds of each cell.
+/// - An octree of everything that was ever seen. It holds the class of each cell (occupied or
+/// free),
+///   and the box is filled from it where the box comes to lie anew.
+///
+/// Cells of the box and leaves of the octree coincide. Source: Hornung et al. 2013 (OctoMap); the
+/// box is ours.
 struct MappingState {
   /// Throws std::invalid_argument on bad parameters.
   explicit MappingState(const MappingParams& params);
 
-  GridMap map;                        // the box, with classes and distances
-  std::vector<std::int8_t> log_odds;  // of the box's cells, in steps of 0.05; −128: unknown
-  std::unique_ptr<octomap::OcTree> tree;
-  Eigen::Vector3i base;  // octree index of cell (0, 0, 0): origin / resolution
-  bool placed = false;   // the box has its first place
+  GridMap map;                            ///< the box, with classes and distances
+  std::vector<std::int8_t> log_odds;      ///< of the box's cells, in steps of 0.05; −128: unknown
+  std::unique_ptr<octomap::OcTree> tree;  ///< all that was seen
+  Eigen::Vector3i base;                   ///< octree index of the box's cell (0, 0, 0)
+  bool placed = false;                    ///< the box has its first place
 
-  // Workspace of one update.
-  std::vector<std::uint8_t> marks;
-  std::vector<std::uint32_t> touched;
-  std::vector<std::int8_t> shifted;
-  DistanceWorkspace distances;
+  std::vector<std::uint8_t> marks;     ///< workspace of one update
+  std::vector<std::uint32_t> touched;  ///< workspace of one update
+  std::vector<std::int8_t> shifted;    ///< workspace of one update
+  DistanceWorkspace distances;         ///< workspace of one update
 };
 
+/// What one depth image did to the map.
 struct MapUpdate {
   MapStatus status = MapStatus::kUpdated;
-  bool scrolled = false;
-  int hits = 0;  // returns within range, without the target's
-  int rays = 0;
-  int touched_cells = 0;
-  int changed_cells = 0;  // that became occupied, free or known
+  bool scrolled = false;  ///< the box moved with the vehicle
+  int hits = 0;           ///< returns in the box and within range, without the target's
+  int rays = 0;           ///< rays that were cast
+  int touched_cells = 0;  ///< cells that were hit or passed
+  int changed_cells = 0;  ///< cells that became occupied or free
 };
 
-/// Moves the box with the vehicle, casts the image's rays into it from the vehicle's pose at the
-/// image's stamp, and renews the distances. A cell that is hit and passed in one image is hit.
-/// Returns from the target's body (a cylinder around `target`, where it is at the image's stamp)
-/// are no obstacles, but the space before them is seen to be free. `target` may be null.
-/// Cost: about 5 ms for 640 × 480 with the defaults. Only the octree allocates after warm-up.
+/// Takes one depth image into the map: moves the box with the vehicle, casts the image's rays into
+/// it from the vehicle's pose at the image's stamp (Amanatides and Woo 1987), and renews the
+/// distances. A cell that is both hit and passed in one image is hit.
+///
+/// Returns from the target's body are no obstacles, but the way to them is seen to be free. The
+/// body is a cylinder around `target`, moved to where the target is at the image's stamp. Null:
+/// there is no target.
+///
+/// Unknown cells right around the vehicle and before its camera become free: it is there, and a
+/// camera does not see them.
+///
+/// Cost: about 5 ms for 640 × 480 pixels with the defaults. Only the octree allocates after
+/// warm-up.
 MapUpdate update_map(MappingState& state, const DepthImage& image, const VehicleHistory& vehicle,
                      const TargetState* target, const MappingParams& params);
 
-/// The box around the vehicle; empty before the first update.
+/// The box around the vehicle. It is empty before the first update.
 const GridMap& local_map(const MappingState& state);
 
 }  // namespace foretrack

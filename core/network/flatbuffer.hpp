@@ -14,33 +14,38 @@
 
 namespace foretrack {
 
-/// What is wrong with a file.
+/// A file is corrupt or not supported; what() says what is wrong with it.
 struct NetworkFileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A table of a flatbuffer; fields by their number in the schema. Everything throws
-/// NetworkFileError if it leads outside the file. Only for little-endian machines.
+/// A table of a flatbuffer. It is a view: the file's bytes must outlive it. Fields are given by
+/// their number in the schema. Everything throws NetworkFileError if it leads outside the file.
+/// Only for little-endian machines.
 class FlatTable {
  public:
   using Bytes = std::span<const std::uint8_t>;
 
-  /// The root table. Throws as well if the identifier (bytes 4 to 7) is another one.
+  /// The root table of a file. Throws as well if the identifier (bytes 4 to 7) is another one.
   static FlatTable root(Bytes file, std::string_view identifier);
 
-  /// The field, or `missing` if the file leaves it out.
+  /// The number in a field, or `missing` if the file leaves it out.
   template <class T>
   T scalar(int field, T missing = T{}) const {
     const std::size_t at = position(field);
     return at ? read<T>(at) : missing;
   }
+  /// False if the file leaves the field out.
   bool has(int field) const { return position(field) != 0; }
-  /// Throws if it is left out.
+  /// The table in a field. Throws if it is left out.
   FlatTable table(int field) const;
-  /// Empty if it is left out.
+  /// The tables in a field, at most 65536. Empty if it is left out.
   std::vector<FlatTable> tables(int field) const;
+  /// The bytes in a field. Empty if it is left out.
   Bytes bytes(int field) const { return vector(field, 1); }
+  /// The text in a field. Empty if it is left out.
   std::string_view text(int field) const;
+  /// The numbers in a field. Empty if it is left out.
   template <class T>
   std::vector<T> values(int field) const {
     static_assert(std::is_arithmetic_v<T>);

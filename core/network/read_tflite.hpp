@@ -9,9 +9,11 @@
 
 namespace foretrack {
 
-/// Float networks with one input; weights may be 16-bit floats (DEQUANTIZE) and sparse (DENSIFY):
-/// both become plain constants. Throws NetworkFileError that says what is corrupt or not supported,
-/// whatever the bytes are. Memory: at most 512 MB. Cost: 10 ms for 3 MB.
+/// The network in a TensorFlow Lite file (schema version 3): one graph of floats with one input.
+/// Weights may be 16-bit floats (DEQUANTIZE) and sparse (DENSIFY); both become plain constants. The
+/// layers have been checked, see check_layers(). Whatever the bytes are, it throws nothing but
+/// NetworkFileError (core/network/flatbuffer.hpp), which says what is corrupt or not supported.
+/// Memory: at most 512 MB. Cost: 10 ms for 3 MB.
 NetworkModel read_tflite(std::span<const std::uint8_t> file);
 
 }  // namespace foretrack

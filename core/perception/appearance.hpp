@@ -9,19 +9,23 @@
 
 namespace foretrack {
 
-/// Mean colour of the upper and the lower half of the torso: two logarithms of ratios, which the
-/// brightness of the light does not change, and a part of the logarithm of the brightness.
+/// The mean colours of the upper and of the lower half of the torso.
+///
+/// Each half has three numbers: log(red / green), log(blue / green) and 0.4 · log(brightness). The
+/// brightness of the light does not change the first two, and the third one little.
 struct Appearance {
   Eigen::Matrix<double, 6, 1> colors = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
-/// None: the torso is outside the image, or seen from its edge. Cost: 2 µs.
+/// What the person in this pose wears in this image, by 8 × 8 samples of the torso. None: less than
+/// a quarter of a half's samples is inside the image. Cost: 2 µs.
 std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose& person);
 
-/// 0: the same; about 0.1 from image to image, 1 for red and grey.
+/// How much two appearances differ: 0 for the same, about 0.1 for one person from image to image,
+/// about 1 for red and grey clothes.
 double difference(const Appearance& a, const Appearance& b);
 
-/// Moves towards what was seen.
+/// Moves what is known by a share (0 to 1) of its difference from what was seen.
 void learn(Appearance& known, const Appearance& seen, double share);
 
 }  // namespace foretrack

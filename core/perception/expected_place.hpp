@@ -9,9 +9,10 @@
 
 namespace foretrack {
 
-/// By the filter's estimate at the image's stamp and the vehicle's pose then; the gate is three
-/// standard deviations and half a body. None: nobody is tracked, or no pose of the vehicle is
-/// known. Behind the camera the place is far outside the image.
+/// Where the filter and the vehicle's pose, both at the image's stamp, put the torso in the image.
+/// The gate around it is three standard deviations of the estimate and half a metre of body. For a
+/// person behind the camera the place is far outside the image and the gate is 0. None: nobody is
+/// tracked, or the vehicle's pose at the stamp is not known. Cost: below 1 µs.
 std::optional<ExpectedPlace> expected_place(const PerceptionState& state,
                                             const VehicleHistory& vehicle,
                                             const CameraModel& camera, double stamp_s,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a lens does to image points, undone: the poses assume a camera without distortion.
+// Lenses that distort. Poses are worked out for a camera without distortion (CameraModel), so what
+// the lens did to the image points is undone first.
 #pragma once
 
 #include <Eigen/LU>
@@ -14,7 +15,8 @@
 
 namespace foretrack {
 
-/// Names and order of the coefficients are those of ROS and OpenCV.
+/// How a lens bends rays. Models, names and order of the coefficients are those of ROS
+/// (sensor_msgs/CameraInfo) and OpenCV; coefficients have no unit. By default: no distortion.
 struct Lens {
   enum class Model : std::uint8_t {
     kPlumbBob,            // k1 k2 p1 p2 k3
@@ -23,20 +25,25 @@ struct Lens {
   };
   Model model = Model::kPlumbBob;
   std::array<double, 8> coefficients{};
+  /// False if the lens leaves every image point where it is.
   bool distorts() const;
 };
 
-/// The lens of a distortion model by ROS' name; an empty name without coefficients: none. Throws
-/// std::invalid_argument that says what was expected.
+/// The lens of a distortion model by its name in ROS: plumb_bob (4 or 5 coefficients),
+/// rational_polynomial (8), equidistant or fisheye (4). An empty name without coefficients is a
+/// lens that does not distort. Throws std::invalid_argument that says what was expected: another
+/// name, another number of coefficients, or one that is not finite.
 Lens lens_of(std::string_view model, std::span<const double> coefficients);
 
-/// Where an image point would be without the lens' distortion; none where the model cannot be
-/// inverted (far outside the image). Cost: 1 µs.
+/// Where an image point would be without the lens' distortion, by Newton's method. None where the
+/// model cannot be inverted, far outside the image. Cost: 1 µs.
 std::optional<Vec2> undistort(const Vec2& image_px, const CameraModel& camera, const Lens& lens);
-/// The opposite: what the lens makes of a point in front of the camera (z = 1).
+/// The opposite: the image point that the lens makes of a ray, given by its x and y at z = 1 in the
+/// optical frame.
 Vec2 distort(const Vec2& ray, const CameraModel& camera, const Lens& lens);
 
-/// All landmarks; those that cannot be undistorted become invisible.
+/// Undistorts the image points of all landmarks. Those that cannot be undistorted become invisible
+/// (visibility 0).
 void undistort(PersonPose& person, const CameraModel& camera, const Lens& lens);
 
 }  // namespace foretrack

@@ -6,6 +6,8 @@
 
 namespace foretrack {
 
+/// What each of them means, and its range, is in its row: see rows(), or `foretrack params
+/// perception`.
 struct PerceptionParams {
   // Images → landmarks.
   int model_complexity = 1;  // of the pose network; see PoseModel

@@ -11,31 +11,34 @@ namespace foretrack {
 
 /// What was seen of a person last. A plain value.
 struct PersonMemory {
-  std::optional<ImageRegion> region;  // where they are looked for next; none: not tracked
-  Vec2 torso_px = Vec2::Zero();
-  Vec2 velocity_px_s = Vec2::Zero();
-  double size_px = 0.0;  // of the region, which is 1.25 times as large as the body; 0: not known
-  double seen_s = -1e9;
-  std::optional<Appearance> wears;
+  std::optional<ImageRegion> region;  ///< where they are looked for next; none: not tracked
+  Vec2 torso_px = Vec2::Zero();       ///< the torso's middle in the image
+  Vec2 velocity_px_s = Vec2::Zero();  ///< how it moves there
+  double size_px = 0.0;               ///< of the region: 1.25 times the body's; 0: not known
+  double seen_s = -1e9;               ///< stamp of the image
+  std::optional<Appearance> wears;    ///< none: their clothes have not been seen
+  /// True once they have been seen.
   bool known() const { return size_px > 0.0; }
 };
 
 /// Where a torso should be in the image.
 struct TorsoPlace {
   Vec2 px = Vec2::Zero();
-  double sigma_px = 0.0;
+  double sigma_px = 0.0;  ///< standard deviation on each axis
 };
 
-/// Goes on as it moved, less and less certain.
+/// Where the person's torso is at a stamp, if it goes on as it moved. The uncertainty grows for
+/// five seconds and then no more.
 TorsoPlace place_at(const PersonMemory& person, double stamp_s);
 
-/// Of a pose's place, size and clothes from the person's: sum of the squares in standard deviations
-/// (0: the same; above about 9: somebody else, or half of each of two).
+/// How unlike a person a pose is: the sum of the squares of its differences in place, size and
+/// clothes, each in standard deviations. 0: the same. Above about 9: somebody else, or half of each
+/// of two people. Clothes count if both are known. Precondition: the person is known.
 double unlikeness(const PersonMemory& person, const TorsoPlace& place, double stamp_s,
                   const PersonPose& pose, const std::optional<Appearance>& seen);
 
-/// The pose is theirs. `alone`: nobody else is near enough to be part of it; otherwise nothing is
-/// learnt of the clothes, and little of the size.
+/// Takes a pose as the person's. `alone`: nobody else is near enough to be part of the pose. If
+/// somebody is, nothing is learnt of the clothes, and little of the size.
 void remember(PersonMemory& person, const PersonPose& pose, const std::optional<Appearance>& seen,
               double stamp_s, bool alone);
 

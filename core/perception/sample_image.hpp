@@ -9,10 +9,12 @@
 
 namespace foretrack {
 
-enum class Border : std::uint8_t { kBlack, kRepeated };  // what is seen outside the image
+/// What is seen outside the image: black, or the nearest pixel of the image.
+enum class Border : std::uint8_t { kBlack, kRepeated };
 
-/// side × side pixels of three floats, rows from the region's top: level × (byte / 255) + offset.
-/// Bilinear between pixel centres. Cost: 1 ms for 256 × 256.
+/// Fills `out` with side × side pixels of three floats, row by row from the top of the region. Each
+/// float is level × (byte / 255) + offset, interpolated linearly between the four nearest pixels.
+/// Preconditions: the image has pixels, `out` has 3 × side × side floats. Cost: 1 ms for 256 × 256.
 void sample_region(const RgbImage& image, const ImageRegion& region, Border border, int side,
                    float level, float offset, std::span<float> out);
 

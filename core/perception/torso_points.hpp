@@ -8,8 +8,9 @@
 
 namespace foretrack {
 
-/// Calls visit(image_px, row) at the middles of steps × steps parts of the torso, the rows from the
-/// shoulders to the hips; `margin` of the torso is left out at each side.
+/// Calls visit(image_px, row) at the middle of each of steps × steps parts of the torso. Rows go
+/// from the shoulders (0) to the hips, columns from the person's left to their right. `margin`: the
+/// share of the torso that is left out at each of its four sides.
 template <class Visit>
 void visit_torso(const std::array<Landmark, kLandmarkCount>& landmarks, int steps, double margin,
                  Visit visit) {

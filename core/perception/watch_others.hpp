@@ -6,11 +6,16 @@
 
 namespace foretrack {
 
-/// After perceive_image() on the same image: looks around the chosen person for others (by the
-/// detector, once in watch_period_s, to the left and to the right in turns, as its input is small),
-/// and follows the nearest of them in its own region, so that
-/// the next image's pose can be told from theirs. Cost: the landmark network once more while
-/// somebody is near, and the detector in one of four images.
+/// Keeps an eye on the other person who is nearest to the chosen one. Call it after
+/// perceive_image() on the same image: in the next image, a pose can then be told from theirs.
+///
+/// Once in watch_period_s the detector looks beside the chosen person, to the left and to the right
+/// by turns, because its input is small. Whoever is found there and is nearer than the other person
+/// so far takes their place in state.other. In every image the other person is followed in a region
+/// of their own. They are forgotten when they are far away or were not seen for 1.5 s.
+///
+/// Cost: the landmark network once more while somebody is near, and the detector once in
+/// watch_period_s.
 void watch_others(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
                   const PerceptionParams& params);
 

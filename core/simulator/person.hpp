@@ -11,31 +11,33 @@ namespace foretrack {
 
 /// The person stops at at_s and stands for for_s. A stop that falls into a corner begins after it.
 struct StandStill {
-  double at_s = 0.0;
+  double at_s = 0.0;  ///< on the clock of PersonState
   double for_s = 1.0;
 };
 
+/// How a person moves along a walk.
 struct PersonParams {
   double height_m = 1.75;
-  double acceleration_m_s2 = 3.0;  // of stops and starts
-  double shoulder_lead_s = 0.3;    // the chest points where the walk will be heading then
-  double yaw_rate_rad_s = 5.0;     // greatest of the chest
-  double start_s = 1.5;            // stands before setting off
+  double acceleration_m_s2 = 3.0;  ///< of stops and starts
+  double shoulder_lead_s = 0.3;    ///< the chest points where the walk will be heading by then
+  double yaw_rate_rad_s = 5.0;     ///< greatest of the chest
+  double start_s = 1.5;            ///< the person stands until then
   std::vector<StandStill> stops;
 };
 
+/// A person on their walk.
 struct Person {
   PersonParams params;
   Walk walk;
   PersonState state;
-  double walked_s = 0.0;  // along the walk
-  double pace = 1.0;      // d walked_s / dt: below 1 while stopping and standing
+  double walked_s = 0.0;  ///< time along the walk
+  double pace = 1.0;      ///< d walked_s / dt: below 1 while stopping and standing
 };
 
 /// A person at the start of the walk. ground_z_m: where the feet are.
 Person make_person(const PersonParams& params, Walk walk, double ground_z_m);
 
-/// Moves on to state.stamp_s + dt_s. Cost: logarithmic in the walk's pieces.
+/// Moves the person on to state.stamp_s + dt_s. Cost: logarithmic in the walk's pieces.
 void advance(Person& person, double dt_s);
 
 }  // namespace foretrack

@@ -10,43 +10,47 @@
 
 namespace foretrack {
 
+/// A quadrotor of 1 kg and its flight controller.
 struct QuadrotorParams {
   double mass_kg = 1.0;
   Vec3 inertia_kg_m2 = Vec3(0.008, 0.008, 0.014);
-  double arm_m = 0.12;  // of each motor from the axes, forward and sideways
-  double torque_per_thrust_m = 0.016;
-  double motor_lag_s = 0.03;
-  double motor_thrust_max_n = 6.0;
-  double drag_n_s_m = 0.20;  // linear in the speed through the air
-  // Cascade: position → velocity → acceleration → attitude → body rates, gains 1/s.
+  double arm_m = 0.12;                 ///< of each motor from the axes, forward and sideways
+  double torque_per_thrust_m = 0.016;  ///< about the motor's axis, by the propeller's drag
+  double motor_lag_s = 0.03;           ///< time constant in which the thrust follows
+  double motor_thrust_max_n = 6.0;     ///< of each motor
+  double drag_n_s_m = 0.20;            ///< linear in the speed through the air
+  // Cascade: position → velocity → acceleration → attitude → body rates; gains are in 1/s.
   double position_gain = 1.5;
   double velocity_gain = 3.0;
   double velocity_integral_gain = 0.6;
   double attitude_gain = 7.0;
   double yaw_gain = 3.0;
   double rate_gain = 20.0;
-  double speed_max_m_s = 8.0;  // that the position loop asks for
+  double speed_max_m_s = 8.0;  ///< that the position loop asks for
   double tilt_max_rad = rad(40.0);
   double yaw_rate_max_rad_s = 3.5;
   double body_rate_max_rad_s = 4.0;
 };
 
+/// A steady wind, and gusts (a Gauss–Markov process of first order on each horizontal axis).
 struct WindParams {
   Vec3 mean_enu_m_s = Vec3::Zero();
-  double gust_m_s = 0.0;  // standard deviation on each horizontal axis
-  double gust_time_s = 1.0;
+  double gust_m_s = 0.0;     ///< standard deviation
+  double gust_time_s = 1.0;  ///< time constant in which a gust dies down
 };
 
+/// The vehicle with all that changes in flight.
 struct QuadrotorState {
   VehicleState vehicle;
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
-  std::array<double, 4> thrusts_n{};  // front left, back right (+z torque), front right, back left
-  Vec3 velocity_integral_m_s2 = Vec3::Zero();
+  /// Front left and back right (torque about +z), front right and back left (about −z).
+  std::array<double, 4> thrusts_n{};
+  Vec3 velocity_integral_m_s2 = Vec3::Zero();  ///< of the velocity loop
   Vec3 gust_enu_m_s = Vec3::Zero();
   Random random{1};
 };
 
-/// Hovering at a place.
+/// A vehicle that hovers at a place.
 QuadrotorState make_quadrotor(const QuadrotorParams& params, const Vec3& position_enu_m,
                               double yaw_rad, std::uint64_t seed);
 
@@ -56,10 +60,13 @@ struct Wrench {
   Vec3 torque_n_m = Vec3::Zero();
 };
 
-/// The motors' steady thrusts for a wrench, each within its limits; their order as in the state.
+/// The motors' steady thrusts for a wrench, each within its limits, in the order of the state.
+/// Where they cannot do it all, thrust and tilt go before yaw.
 std::array<double, 4> mix(const QuadrotorParams& params, const Wrench& wrench);
 
-/// The cascade. NaN in a field of the setpoint: not controlled. Jerk is not used, as in PX4.
+/// The wrench that the flight controller wants for a setpoint: a cascade of loops with the attitude
+/// on SO(3) (Lee, Leok and McClamroch 2010). NaN in a field of the setpoint: not controlled. Jerk
+/// is not used, as in PX4.
 Wrench control(const QuadrotorParams& params, QuadrotorState& state, const Setpoint& setpoint,
                double dt_s);
 

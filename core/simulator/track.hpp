@@ -13,14 +13,16 @@
 
 namespace foretrack {
 
+/// The columns of a row; positions are in metres.
 enum class TrackFormat : std::uint8_t {
-  kOpenTraj,  // frame id x z y vx vz vy, as the OpenTraj collection has its "obsmat" files
-  kFrameIdXy  // frame id x y
+  kOpenTraj,  ///< frame id x z y vx vz vy, as the OpenTraj collection has its "obsmat" files
+  kFrameIdXy  ///< frame id x y
 };
 
+/// Where one pedestrian went.
 struct Track {
-  int pedestrian = 0;
-  std::vector<TrackPoint> points;  // time_s from the first frame of the file, increasing
+  int pedestrian = 0;              ///< the id in the file
+  std::vector<TrackPoint> points;  ///< times increase; 0 is the first frame of the file
 };
 
 /// All tracks of a file's text, by pedestrian. rate_hz: frames a second. Blank lines and what

@@ -13,6 +13,7 @@
 
 namespace foretrack {
 
+/// The parameters of all stages. Each struct has its rows(), which say what its fields mean.
 struct TrackerParams {
   PerceptionParams perception;
   MappingParams mapping;
@@ -21,20 +22,25 @@ struct TrackerParams {
   SafetyParams safety;
 };
 
-/// What is new at now_s. Null: nothing of that kind came.
+/// What is new at now_s. A null pointer: nothing of that kind came. What pointers lead to is read
+/// during the step only.
 struct TrackerInput {
-  double now_s = 0.0;
-  VehicleState vehicle;
-  AutopilotStatus autopilot;
+  double now_s = 0.0;         ///< on the clock of all stamps; must grow from step to step
+  VehicleState vehicle;       ///< the newest
+  AutopilotStatus autopilot;  ///< the newest
   const TargetObservation* observation = nullptr;
-  double torso_depth_m = std::numeric_limits<double>::quiet_NaN();  // with it; NaN: not measured
+  /// Depth of the torso's surface in the observation's image, along the optical axis (see
+  /// torso_surface_depth_m()). NaN: not measured.
+  double torso_depth_m = std::numeric_limits<double>::quiet_NaN();
   const DepthImage* depth = nullptr;
-  const GridMap* known_map = nullptr;    // null: the map is built from depth
-  const MovingBodies* bodies = nullptr;  // people and vehicles around, as last seen; null: nobody
-  const MissionCommand* command = nullptr;
+  const GridMap* known_map = nullptr;       ///< null: plans are made in the map built from depth
+  const MovingBodies* bodies = nullptr;     ///< people and vehicles around; null: nobody
+  const MissionCommand* command = nullptr;  ///< an operator's order
 };
 
+/// All that is kept from step to step. One for each vehicle.
 struct TrackerState {
+  /// Throws std::invalid_argument on bad mapping parameters.
   explicit TrackerState(const TrackerParams& params);
   VehicleHistory vehicles;
   PerceptionState perception;
@@ -42,23 +48,25 @@ struct TrackerState {
   PredictionState prediction;
   PlanningState planning;
   GateState gate;
-  double delay_s = 0.0;  // age of the newest observation when it came
-  double next_plan_s = -1.0;
-  std::uint64_t last_plan_id = 0;
+  double delay_s = 0.0;       ///< age of the newest observation when it came
+  double next_plan_s = -1.0;  ///< no plan is made earlier
 };
 
-/// What every stage said last. The pointers are into the state, null before the stage first ran.
+/// What the stages say in this step. The pointers lead into the state (or to the known map) and are
+/// valid until the next step.
 struct TrackerOutput {
-  TargetState target;
-  const PredictionResult* prediction = nullptr;
-  const PlanResult* plan = nullptr;
-  const GridMap* map = nullptr;
-  bool planned = false;  // a plan was made in this step
-  GateResult gate;
+  TargetState target;                            ///< predicted on to now_s
+  const PredictionResult* prediction = nullptr;  ///< null: none was made in this step
+  const PlanResult* plan = nullptr;              ///< null: none was made in this step
+  const GridMap* map = nullptr;  ///< that plans are made in; null: there is none yet
+  bool planned = false;          ///< prediction and plan were made in this step
+  GateResult gate;               ///< what the flight controller is to be given
 };
 
-/// perceive → update map → predict → plan → gate. Call it at the gate's rate (100 Hz).
-/// Precondition: now_s grows.
+/// perceive → update map → predict → plan → gate. Predictions and plans are made once in
+/// plan_period_s, as soon as there is a map. Call it at the gate's rate (100 Hz). Cost: some
+/// microseconds; with an observation 40 µs, with a depth image 5 ms, with a plan 1 ms more.
+/// Allocates nothing after the first seconds in a known map.
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params);
 
 }  // namespace foretrack
