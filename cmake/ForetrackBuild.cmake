@@ -21,7 +21,9 @@ endif()
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Threads REQUIRED)
 
-# Our own code: warnings are errors, and no contraction, so that results do not depend on the machine.
+# How our own code is compiled: warnings are errors, and no contraction, so that results do not
+# depend on the machine. Folders say link_libraries(foretrack_options) once, and no library exports it,
+# so that nothing of it reaches those who embed us.
 add_library(foretrack_options INTERFACE)
 target_compile_options(foretrack_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror -ffp-contract=off)
@@ -66,14 +68,14 @@ function(foretrack_library folder)
     list(APPEND patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${inner}/*.cpp)
   endforeach()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
-  if(sources)
-    add_library(foretrack_${name} STATIC ${sources})
-    target_link_libraries(foretrack_${name} PUBLIC foretrack_options ${ARG_DEPENDS})
-    foretrack_use_precompiled(foretrack_${name} foretrack_pch)
-  else()
-    add_library(foretrack_${name} INTERFACE)
-    target_link_libraries(foretrack_${name} INTERFACE foretrack_options ${ARG_DEPENDS})
+  if(NOT sources)
+    message(FATAL_ERROR "the library ${folder} has no sources")
   endif()
+  add_library(foretrack_${name} STATIC ${sources})
+  target_include_directories(foretrack_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/foretrack>)
+  target_link_libraries(foretrack_${name} PUBLIC Eigen3::Eigen ${ARG_DEPENDS})
+  foretrack_use_precompiled(foretrack_${name} foretrack_pch)
 endfunction()
 
 # A GoogleTest program from all sources of a folder (and of FOLDERS in it); ctest runs it as one test, or, with PARTS, each

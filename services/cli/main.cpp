@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "core/version.hpp"
 #include "services/cli/commands.hpp"
 
 namespace {
@@ -12,7 +13,7 @@ constexpr int kMisused = 2;
 
 int run(int argc, char** argv) {
   CLI::App app("foretrack: follows a person by reading their intention");
-  app.set_version_flag("--version", FORETRACK_VERSION);
+  app.set_version_flag("--version", foretrack::kVersion);
   app.require_subcommand(1);
   std::function<int()> chosen;
   auto commands = foretrack::flight_commands();

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "core/version.hpp"
 #include "services/ground_station/api/api.hpp"
 #include "services/ground_station/bus/bus.hpp"
 #include "services/ground_station/bus/contract.hpp"
@@ -23,7 +24,6 @@ constexpr double kStatusPeriod_s = 0.5;
 constexpr double kCheckPeriod_s = 0.25;
 constexpr double kCommandPeriod_s = 0.02;
 constexpr int kNiceness = 5;  // what flies comes first, where both share a machine
-constexpr char kVersion[] = FORETRACK_VERSION;
 constexpr std::string_view kSafetyTopic = "/safety/state";
 
 constexpr char kNoPage[] =

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "core/version.hpp"
 #include "services/ground_station/mcap/writer.hpp"
 
 namespace foretrack::station {
@@ -128,7 +129,7 @@ bool Recorder::next_file() {
   ++part_;
   file_->writer = std::make_unique<mcap::Writer>(
       [file = file_.get()](std::span<const std::uint8_t> piece) { return file->append(piece); },
-      "foretrack " FORETRACK_VERSION);
+      std::string("foretrack ") + kVersion);
   for (const auto& [name, values] : options_.metadata) file_->writer->add_metadata(name, values);
   const std::lock_guard lock(mutex_);
   status_.file = path.filename().string();
@@ -240,7 +241,7 @@ std::map<std::string, std::map<std::string, std::string>> recording_metadata(
   char host[256] = {};
   gethostname(host, sizeof host - 1);
   std::map<std::string, std::map<std::string, std::string>> metadata;
-  metadata["foretrack"] = {{"version", FORETRACK_VERSION}, {"host", host}};
+  metadata["foretrack"] = {{"version", kVersion}, {"host", host}};
   if (!parameters.empty()) metadata["parameters"] = {{"yaml", parameters}};
   return metadata;
 }

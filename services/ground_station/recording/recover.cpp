@@ -9,6 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "core/version.hpp"
 #include "services/ground_station/mcap/reader.hpp"
 #include "services/ground_station/mcap/writer.hpp"
 
@@ -43,7 +44,7 @@ void rewrite(const fs::path& from, const fs::path& to) {
                   static_cast<std::streamsize>(piece.size()));
         return out.good();
       },
-      "foretrack " FORETRACK_VERSION);
+      std::string("foretrack ") + kVersion);
   std::map<std::uint16_t, std::uint16_t> ids;
   bool first = true;
   while (const auto message = reader.next()) {

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the tree keeps its own rules; each rule is a test.
+
+    check_tree.py layers     who may include whom
+    check_tree.py names      a .cpp has the header that it implements beside it
+    check_tree.py licences   every source says its licence first
+    check_tree.py documents  every file that the documents name exists
+    check_tree.py lengths    functions: 95 of 100 have at most 25 lines, none more than 90
+
+Exit code 0: kept; 1: broken, with a line for each fault; 77: a tool is missing.
+"""
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LEFT_OUT = {"node_modules", "dist"}
+
+# Stages know `common` and never each other, but for these: what runs networks serves perception, what
+# judges predictions knows them, and the tracker composes all.
+KNOWS = {"perception": {"network"}, "scores": {"prediction"}, "tracker": None}
+# From outside, core knows the standard library without clocks, threads, the environment and the
+# terminal, and what a stage needs for its work.
+LIBRARIES = {"mapping": ("octomap/",), "network": ("xnnpack.h", "pthreadpool.h")}
+NOT_IN_CORE = {"chrono", "thread", "mutex", "condition_variable", "future", "iostream", "ctime",
+               "cstdlib"}
+DDS = ("fastdds/", "fastrtps/", "fastcdr/")
+
+# A command is named by its word, and commands.hpp lists them all. An intention is one file, and its
+# table lists them all. Fitted numbers are tables that a program writes; who uses them declares them.
+HEADERLESS = re.compile(r"services/cli/\w+_commands?\.cpp|.*/main\.cpp"
+                        r"|core/prediction/intentions/\w+\.cpp|core/prediction/\w+_weights\.cpp")
+
+
+def files(*patterns):
+    """Sources of the tree, by paths relative to its root."""
+    found = []
+    for pattern in patterns:
+        for path in sorted(ROOT.glob(pattern)):
+            if not LEFT_OUT.intersection(path.parts):
+                found.append(path.relative_to(ROOT).as_posix())
+    return found
+
+
+def includes(name):
+    for number, line in enumerate((ROOT / name).read_text().splitlines(), 1):
+        if match := re.match(r'#include ["<]([^">]+)[">]', line):
+            yield number, match[1]
+
+
+def core_fault(stage, included):
+    folder = included.split("/")
+    if folder[0] == "core" and len(folder) > 2:
+        known = KNOWS.get(stage, set())
+        if known is None or folder[1] in {stage, "common"} | known:
+            return None
+        return f"core/{stage} includes another stage: {included}"
+    if folder[0] == "core" or included.startswith(("Eigen/",) + LIBRARIES.get(stage, ())):
+        return None
+    if included in NOT_IN_CORE:
+        return f"core has no clock, thread, environment or terminal: {included}"
+    if "/" in included or included.endswith((".h", ".hpp")):
+        return f"core includes what it must not know: {included}"
+    return None
+
+
+def layers():
+    for name in files("core/**/*.[ch]pp"):
+        stage = name.split("/")[1]
+        for number, included in includes(name):
+            if fault := core_fault(stage, included):
+                yield f"{name}:{number}: {fault}"
+    for name in files("services/**/*.[ch]pp"):
+        for number, included in includes(name):
+            if included.startswith(DDS) and not name.startswith("services/common/"):
+                yield f"{name}:{number}: only services/common calls DDS: {included}"
+
+
+def names():
+    for name in files("core/**/*.cpp", "services/**/*.cpp"):
+        if not HEADERLESS.fullmatch(name) and not (ROOT / name).with_suffix(".hpp").exists():
+            yield f"{name}: has no header of its name; its content belongs where it is declared"
+
+
+def licences():
+    sources = files("core/**/*.[ch]pp", "services/**/*.[ch]pp", "tests/**/*.[ch]pp",
+                    "bench/**/*.[ch]pp", "examples/**/*.[ch]pp", "idl/foretrack_msgs/**/*.idl",
+                    "cmake/*", "**/CMakeLists.txt", "deploy/**/*.py", "bench/**/*.py",
+                    "tests/**/*.py", "services/ground_station/web/src/**/*.ts*", "run")
+    for name in sources:
+        if name.startswith("build"):
+            continue
+        if "SPDX-License-Identifier: Apache-2.0" not in (ROOT / name).read_text()[:200]:
+            yield f"{name}: does not say its licence in its first lines"
+
+
+def documents():
+    path = re.compile(r"[`(]((?:\.?[\w-]+/)+[\w.{},*-]*|run|\w+\.md)[`)#]")
+    for document in files("*.md", "docs/*.md", "docs/adr/*.md", "examples/*.md"):
+        folder = (ROOT / document).parent
+        for number, line in enumerate((ROOT / document).read_text().splitlines(), 1):
+            for named in path.findall(line):
+                first = named.split("/")[0]
+                if not (ROOT / first).exists() and not (folder / first).exists():
+                    continue  # a topic, a made file, a path of another machine
+                if first.startswith(("build", "flights", "models", "recordings")):
+                    continue
+                for one in braces(named):
+                    if not any(ROOT.glob(one)) and not any(folder.glob(one)):
+                        yield f"{document}:{number}: there is no {one}"
+
+
+def braces(text):
+    """`a.{hpp,cpp}` is two names."""
+    match = re.search(r"\{([^}]*)\}", text)
+    if not match:
+        return [text.rstrip("/")]
+    return [one for choice in match[1].split(",")
+            for one in braces(text[:match.start()] + choice + text[match.end():])]
+
+
+def lengths():
+    if not shutil.which("ctags"):
+        print("no ctags (package universal-ctags)")
+        sys.exit(77)
+    sources = files("core/**/*.[ch]pp", "services/**/*.[ch]pp")
+    tags = subprocess.run(
+        ["ctags", "--languages=C++", "--kinds-C++=f", "--fields=ne", "-f", "-", *sources],
+        cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    functions = sorted((int(end) - int(begin) + 1, f"{name}:{begin}") for name, begin, end in
+                       re.findall(r"^\S+\t(\S+)\t.*\tline:(\d+).*\tend:(\d+)$", tags, re.M))
+    p95 = functions[int(0.95 * len(functions))][0]
+    print(f"{len(functions)} functions; lines: median {functions[len(functions) // 2][0]}, "
+          f"p95 {p95}, longest {functions[-1][0]} ({functions[-1][1]})")
+    if p95 > 25:
+        yield f"p95 of the functions' length is {p95} lines"
+    for length, place in functions:
+        if length > 90:
+            yield f"{place}: a function of {length} lines"
+
+
+RULES = {rule.__name__: rule for rule in (layers, names, licences, documents, lengths)}
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2 or sys.argv[1] not in RULES:
+        raise SystemExit(__doc__)
+    faults = list(RULES[sys.argv[1]]())
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
