@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost of one update of the map, in CPU time: a vehicle flies through rooms at 2 m/s.
+#include <octomap/OcTree.h>
+
 #include <algorithm>
 #include <cstdio>
 

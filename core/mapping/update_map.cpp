@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/mapping/update_map.hpp"
 
+#include <octomap/OcTree.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -205,6 +207,10 @@ MappingState::MappingState(const MappingParams& params) {
   touched.reserve(map.cell_count());
   base.setZero();
 }
+
+MappingState::MappingState(MappingState&&) noexcept = default;
+MappingState& MappingState::operator=(MappingState&&) noexcept = default;
+MappingState::~MappingState() = default;
 
 std::string_view to_string(MapStatus status) {
   constexpr std::array<std::string_view, 3> names = {"updated", "no pose of the vehicle",

@@ -2,8 +2,6 @@
 // Depth images → the map around the vehicle.
 #pragma once
 
-#include <octomap/OcTree.h>
-
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -14,6 +12,10 @@
 #include "core/common/target.hpp"
 #include "core/common/vehicle.hpp"
 #include "core/mapping/params.hpp"
+
+namespace octomap {
+class OcTree;
+}
 
 namespace foretrack {
 
@@ -38,6 +40,9 @@ std::string_view to_string(MapStatus status);
 struct MappingState {
   /// Throws std::invalid_argument on bad parameters.
   explicit MappingState(const MappingParams& params);
+  MappingState(MappingState&&) noexcept;
+  MappingState& operator=(MappingState&&) noexcept;
+  ~MappingState();
 
   GridMap map;                            ///< the box, with classes and distances
   std::vector<std::int8_t> log_odds;      ///< of the box's cells, in steps of 0.05; −128: unknown

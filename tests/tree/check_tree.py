@@ -29,10 +29,12 @@ NOT_IN_CORE = {"chrono", "thread", "mutex", "condition_variable", "future", "ios
                "cstdlib"}
 DDS = ("fastdds/", "fastrtps/", "fastcdr/")
 
-# A command is named by its word, and commands.hpp lists them all. An intention is one file, and its
-# table lists them all. Fitted numbers are tables that a program writes; who uses them declares them.
+# A command is named by its word, and commands.hpp lists them all. Fitted numbers are tables that a
+# program writes; who reads them declares them.
 HEADERLESS = re.compile(r"services/cli/\w+_commands?\.cpp|.*/main\.cpp"
-                        r"|core/prediction/intentions/\w+\.cpp|core/prediction/\w+_weights\.cpp")
+                        r"|core/prediction/(intentions/)?\w+_weights\.cpp")
+
+MADE = {"core/version.hpp"}  # by the build
 
 
 def files(*patterns):
@@ -51,13 +53,15 @@ def includes(name):
             yield number, match[1]
 
 
-def core_fault(stage, included):
-    folder = included.split("/")
+def core_fault(name, included):
+    stage, folder = name.split("/")[1], included.split("/")
     if folder[0] == "core" and len(folder) > 2:
         known = KNOWS.get(stage, set())
         if known is None or folder[1] in {stage, "common"} | known:
             return None
         return f"core/{stage} includes another stage: {included}"
+    if included.startswith("octomap/") and name.endswith(".hpp") and "/octree_" not in name:
+        return f"who includes {name} must not need OctoMap: {included}"
     if folder[0] == "core" or included.startswith(("Eigen/",) + LIBRARIES.get(stage, ())):
         return None
     if included in NOT_IN_CORE:
@@ -69,9 +73,8 @@ def core_fault(stage, included):
 
 def layers():
     for name in files("core/**/*.[ch]pp"):
-        stage = name.split("/")[1]
         for number, included in includes(name):
-            if fault := core_fault(stage, included):
+            if fault := core_fault(name, included):
                 yield f"{name}:{number}: {fault}"
     for name in files("services/**/*.[ch]pp"):
         for number, included in includes(name):
@@ -107,6 +110,8 @@ def documents():
                 if not (ROOT / first).exists() and not (folder / first).exists():
                     continue  # a topic, a made file, a path of another machine
                 if first.startswith(("build", "flights", "models", "recordings")):
+                    continue
+                if named in MADE:
                     continue
                 for one in braces(named):
                     if not any(ROOT.glob(one)) and not any(folder.glob(one)):
