@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "core/planning/optimize/trajectory_cost.hpp"
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "core/mapping/update_map.hpp"
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "tests/core/mapping/box_world.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/planning/optimize/optimize_trajectory.hpp"
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "tests/core/planning/random_problem.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 // Accuracy of the estimate of a walking person, and the cost of one observation in CPU time.
 #include <cstdio>
 
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "tests/core/perception/tracking_error.hpp"
 
 namespace {

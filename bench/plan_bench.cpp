@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/prediction/predict.hpp"
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "tests/core/planning/plan_loop.hpp"
 
 using namespace foretrack;

@@ -11,8 +11,8 @@
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sample_image.hpp"
 #include "core/perception/watch_others.hpp"
+#include "services/common/time_now.hpp"
 #include "services/files/models/pose_models.hpp"
-#include "services/files/share/cpu_time.hpp"
 #include "services/files/share/share.hpp"
 #include "services/offline/images/frame_source.hpp"
 

@@ -8,8 +8,8 @@
 #include "bench/run_bench.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "core/simulator/simulate.hpp"
+#include "services/common/time_now.hpp"
 #include "services/files/config/load_scenario.hpp"
-#include "services/files/share/cpu_time.hpp"
 #include "services/offline/people/load_person.hpp"
 
 namespace {

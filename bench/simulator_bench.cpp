@@ -4,7 +4,7 @@
 
 #include "core/simulator/route.hpp"
 #include "core/simulator/simulate.hpp"
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
 #include "core/perception/watch_others.hpp"
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "services/offline/people/load_person.hpp"
 
 namespace foretrack {

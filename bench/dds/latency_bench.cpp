@@ -70,38 +70,36 @@ int measure(const std::string& map, double duration_s, const std::string& scenar
   Stages stages;
   Loop& loop = ear.loop();
   loop.on_each(observation, [&](const auto& m) {
-    for (StageDelay* stage : stages.all())
-      stage->caused(seconds(m.header().stamp()), steady_now_s());
+    for (StageDelay* stage : stages.all()) stage->caused(seconds(m.header().stamp()), steady_s());
   });
   loop.on_each(target, [&](const auto& m) {
-    stages.target.answered(seconds(m.header().stamp()), steady_now_s());
+    stages.target.answered(seconds(m.header().stamp()), steady_s());
   });
   loop.on_each(prediction, [&](const auto& m) {
-    stages.prediction.answered(seconds(m.header().stamp()), steady_now_s());
+    stages.prediction.answered(seconds(m.header().stamp()), steady_s());
   });
-  loop.on_each(plan, [&](const auto& m) {
-    stages.plan.answered(seconds(m.header().stamp()), steady_now_s());
-  });
+  loop.on_each(
+      plan, [&](const auto& m) { stages.plan.answered(seconds(m.header().stamp()), steady_s()); });
   std::map<int, int> modes;
   loop.on_each(safety, [&](const auto& m) {
     ++modes[m.mode()];
-    if (m.setpoint_valid()) stages.setpoint.answered(seconds(m.caused_by()), steady_now_s());
+    if (m.setpoint_valid()) stages.setpoint.answered(seconds(m.caused_by()), steady_s());
   });
-  const double begin_s = steady_now_s();
+  const double begin_s = steady_s();
   double cpu_begin_s = 0.0, measured_from_s = 0.0;
   loop.every_wall(0.1, [&] {
     for (const auto& line : launcher.poll()) fmt::print("{}\n", line);
-    if (measured_from_s == 0.0 && steady_now_s() - begin_s > kWarmUp_s) {
-      measured_from_s = steady_now_s();
+    if (measured_from_s == 0.0 && steady_s() - begin_s > kWarmUp_s) {
+      measured_from_s = steady_s();
       cpu_begin_s = cpu_s(launcher);
       modes.clear();
       for (StageDelay* stage : stages.all()) stage->forget();
     }
-    if (steady_now_s() - begin_s > kWarmUp_s + duration_s) stop.request();
+    if (steady_s() - begin_s > kWarmUp_s + duration_s) stop.request();
   });
   ear.run();
 
-  const double cpu = 100.0 * (cpu_s(launcher) - cpu_begin_s) / (steady_now_s() - measured_from_s);
+  const double cpu = 100.0 * (cpu_s(launcher) - cpu_begin_s) / (steady_s() - measured_from_s);
   const auto usage = usage_of(launcher.processes().front().pid);
   fmt::print("{} map, {} s; ms after the observation's delivery\n", map, duration_s);
   fmt::print("{}", StageDelay::head());

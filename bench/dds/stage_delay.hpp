@@ -5,16 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <deque>
 #include <string>
 #include <vector>
 
-namespace foretrack {
+#include "services/common/time_now.hpp"
 
-inline double steady_now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+namespace foretrack {
 
 /// Of an unsorted copy; 0 if empty.
 inline double quantile_of(std::vector<double> values, double share) {

@@ -8,6 +8,7 @@
 
 #include "services/cli/commands.hpp"
 #include "services/common/stop.hpp"
+#include "services/common/time_now.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
 #include "services/launch/flight_processes.hpp"
@@ -31,11 +32,8 @@ int run_up(const UpArguments& arguments) {
   launcher.add(simulator_process(arguments.spec));
   std::printf("vehicle %s, domain %d, logs in %s/logs; Ctrl-C ends it\n",
               arguments.spec.vehicle.c_str(), arguments.spec.domain, arguments.out.c_str());
-  const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed_s = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  while (!stop.requested() && elapsed_s() < arguments.for_s && !launcher.any_given_up()) {
+  const double begin_s = steady_s();
+  while (!stop.requested() && steady_s() - begin_s < arguments.for_s && !launcher.any_given_up()) {
     for (const auto& line : launcher.poll()) std::printf("%s\n", line.c_str());
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

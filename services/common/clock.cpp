@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/common/clock.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "rosgraph_msgs/msg/Clock.h"
 #include "services/common/reader.hpp"
+#include "services/common/time_now.hpp"
 #include "services/common/topics.hpp"
 
 namespace foretrack {
@@ -17,11 +17,6 @@ constexpr double kFutureSlack_s = 0.5;
 
 bool is_well_formed(const builtin_interfaces::msg::Time& time) {
   return time.sec() >= 0 && time.nanosec() < 1000000000u;
-}
-
-template <class C>
-double seconds_of() {
-  return std::chrono::duration<double>(C::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -54,11 +49,11 @@ Clock::Clock(Node& node, bool simulated) : simulated_(simulated) {
 }
 
 double Clock::now_s() const {
-  return simulated_ ? simulated_s_ : seconds_of<std::chrono::system_clock>();
+  return simulated_ ? simulated_s_ : 1e-9 * static_cast<double>(now_ns());
 }
 
 double Clock::steady_s() const {
-  return simulated_ ? simulated_s_ : seconds_of<std::chrono::steady_clock>();
+  return simulated_ ? simulated_s_ : foretrack::steady_s();
 }
 
 const char* Clock::fault_of(const builtin_interfaces::msg::Time& stamp) const {

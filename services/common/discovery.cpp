@@ -2,10 +2,10 @@
 #include "services/common/discovery.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "services/common/dds_impl.hpp"
+#include "services/common/time_now.hpp"
 
 namespace foretrack {
 namespace {
@@ -99,10 +99,8 @@ void DiscoveryWatch::on_participant_discovery(
   if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
     peers_.erase(id);
   } else if (info.status == Info::DISCOVERED_PARTICIPANT && peers_.size() < kMaxSeen) {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
     peers_[id] = {id, info.info.m_participantName.to_string(),
-                  seconds_of(info.info.m_leaseDuration),
-                  std::chrono::duration<double>(now).count()};
+                  seconds_of(info.info.m_leaseDuration), steady_s()};
   }
 }
 

@@ -8,15 +8,12 @@
 #include <stdexcept>
 
 #include "services/common/dds_impl.hpp"
+#include "services/common/time_now.hpp"
 
 namespace foretrack {
 namespace {
 
 constexpr double kLongestWait_s = 1.0;
-
-double steady_now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 void add_timer_check(double period_s) {
   if (!(period_s > 0.0))
@@ -42,7 +39,7 @@ void Loop::guarded(const std::function<void()>& callback) try {
 }
 
 void Loop::run_timer(Timer& timer) {
-  const double now = timer.wall ? steady_now_s() : node_.clock().steady_s();
+  const double now = timer.wall ? steady_s() : node_.clock().steady_s();
   const bool jumped_back = timer.next_s > now + 2.0 * timer.period_s;
   if (timer.next_s < 0.0 || jumped_back) timer.next_s = now;
   if (now < timer.next_s) return;
@@ -54,18 +51,18 @@ void Loop::run_timer(Timer& timer) {
 // Simulated timers are woken by clock samples, so only the others bound the wait.
 double Loop::wait_s() const {
   double wait = kLongestWait_s;
-  const double now = steady_now_s();
+  const double now = steady_s();
   for (const auto& timer : timers_)
     if (timer.wall || !node_.clock().simulated()) wait = std::min(wait, timer.next_s - now);
   return std::max(wait, 0.0);
 }
 
 void Loop::wake_up() {
-  const double start = steady_now_s();
+  const double start = steady_s();
   node_.clock().update();
   for (const auto& handler : handlers_) guarded(handler);
   for (auto& timer : timers_) run_timer(timer);
-  const double ms = 1e3 * (steady_now_s() - start);
+  const double ms = 1e3 * (steady_s() - start);
   ++stats_.loops;
   stats_.total_ms += ms;
   stats_.max_ms = std::max(stats_.max_ms, ms);

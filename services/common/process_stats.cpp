@@ -4,8 +4,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <fstream>
+
+#include "services/common/time_now.hpp"
 
 namespace foretrack {
 namespace {
@@ -20,17 +21,13 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-double wall_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
-CpuMeter::CpuMeter() : cpu_s_(cpu_seconds()), wall_s_(wall_seconds()) {}
+CpuMeter::CpuMeter() : cpu_s_(cpu_seconds()), wall_s_(steady_s()) {}
 
 double CpuMeter::percent() {
   const double cpu = cpu_seconds();
-  const double wall = wall_seconds();
+  const double wall = steady_s();
   const double percent = wall > wall_s_ ? 100.0 * (cpu - cpu_s_) / (wall - wall_s_) : 0.0;
   cpu_s_ = cpu;
   wall_s_ = wall;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <thread>
 
 #include "services/ground_station/bus/contract.hpp"
@@ -51,23 +50,7 @@ std::vector<std::string> names_of(const std::set<PeerId>& peers,
   return result;
 }
 
-// Goes on while the machine is in standby, unlike the steady clock.
-double boot_s() {
-  timespec t{};
-  clock_gettime(CLOCK_BOOTTIME, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 }  // namespace
-
-std::int64_t now_ns() {
-  using namespace std::chrono;
-  return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
-}
-
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Bus::Bus(std::shared_ptr<Node> node, Outlet outlet)
     : node_(std::move(node)), outlet_(std::move(outlet)) {}

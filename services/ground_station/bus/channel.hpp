@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "services/common/time_now.hpp"
+
 namespace foretrack::station {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -37,10 +39,5 @@ struct Outlet {
   std::function<void(std::uint32_t channel)> closed;
   std::function<void(const std::vector<Sample>&)> samples;
 };
-
-/// Nanoseconds since 1970.
-std::int64_t now_ns();
-/// Seconds of the steady clock.
-double steady_s();
 
 }  // namespace foretrack::station

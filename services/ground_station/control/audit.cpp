@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "services/common/time_now.hpp"
 
 namespace foretrack::station {
 
@@ -27,9 +28,8 @@ Audit::~Audit() {
 }
 
 void Audit::note(const std::map<std::string, std::string>& facts) {
-  using namespace std::chrono;
   nlohmann::ordered_json line;
-  line["time_s"] = duration<double>(system_clock::now().time_since_epoch()).count();
+  line["time_s"] = 1e-9 * static_cast<double>(now_ns());
   for (const auto& [key, value] : facts) line[key] = value;
   const auto text =
       line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';

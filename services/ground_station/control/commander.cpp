@@ -26,11 +26,6 @@ std::string wire_name(const std::string& vehicle) {
   return topic_name(topics::MissionCommand::info, names);
 }
 
-bool stops(const auto& pending) {
-  return std::any_of(pending.begin(), pending.end(),
-                     [](const auto& p) { return p.order == MissionOrder::kStop; });
-}
-
 std::unique_ptr<RawWriter> make_writer(Node& node, const std::string& topic) {
   return std::make_unique<RawWriter>(
       node, RawTopic{topic, TypeName<foretrack_msgs::msg::MissionCommand>::value, false},
@@ -46,10 +41,7 @@ Commander::~Commander() = default;
 
 void Commander::move_to(std::shared_ptr<Node> node) {
   for (auto& [name, vehicle] : vehicles_) {
-    if (!vehicle.writer) continue;
-    vehicle.former = stops(vehicle.pending) ? std::move(vehicle.writer) : nullptr;
-    vehicle.writer = make_writer(*node, wire_name(name));
-    for (auto& pending : vehicle.pending) pending.next_s = 0.0;
+    if (vehicle.delivery) vehicle.delivery->move_to(make_writer(*node, wire_name(name)));
   }
   former_node_ = std::exchange(node_, std::move(node));
   forget_former();
@@ -57,10 +49,8 @@ void Commander::move_to(std::shared_ptr<Node> node) {
 
 void Commander::forget_former() {
   bool needed = false;
-  for (auto& [name, vehicle] : vehicles_) {
-    if (!stops(vehicle.pending)) vehicle.former.reset();
-    needed |= vehicle.former != nullptr;
-  }
+  for (auto& [name, vehicle] : vehicles_)
+    if (vehicle.delivery) needed |= vehicle.delivery->needs_former();
   if (!needed) former_node_.reset();
 }
 
@@ -68,17 +58,18 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   SafetyState state;
   if (!from_cdr(type_ops<SafetyState>(), bytes, &state)) return;
   auto& vehicle = vehicles_[name];
-  if (may_order_ && !vehicle.writer) {
+  if (may_order_ && !vehicle.delivery) {
     const auto topic = wire_name(name);
-    vehicle.writer = make_writer(*node_, topic);
+    vehicle.delivery.emplace(make_writer(*node_, topic));
     on_writer_(topic);
   }
   auto& mission = vehicle.mission;
   mission.lease_operator = state.lease_operator().c_str();
   mission.lease_expires_s = state.lease_remaining_s();
-  vehicle.lease_heard_s = now_s;
-  vehicle.stamp_s = to_seconds(state.header().stamp());
-  vehicle.stopped = state.phase() == static_cast<std::uint8_t>(MissionPhase::kStopped);
+  vehicle.heard_s = now_s;
+  if (vehicle.delivery)
+    vehicle.delivery->gate = {now_s, to_seconds(state.header().stamp()),
+                              state.phase() == static_cast<std::uint8_t>(MissionPhase::kStopped)};
   if (state.command() > static_cast<std::uint8_t>(MissionOrder::kRelease) ||
       state.command_result() > static_cast<std::uint8_t>(MissionResult::kRefusedForeign))
     return;
@@ -92,12 +83,12 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
     mission.result = ok ? "accepted" : "refused";
     mission.reason = ok ? "" : to_string(result);
   }
-  settle(vehicle, state.command_id(), result);
+  if (vehicle.delivery) vehicle.delivery->settle(state.command_id(), result);
 }
 
 Commander::Vehicle* Commander::find(const std::string& name, const Report& report) {
   const auto it = vehicles_.find(name);
-  if (it != vehicles_.end() && it->second.writer) return &it->second;
+  if (it != vehicles_.end() && it->second.delivery) return &it->second;
   report({false, "nothing was heard of the safety gate of '" + name + "'"});
   return nullptr;
 }
@@ -112,13 +103,14 @@ void Commander::take(const std::string& name, const std::string& who, double now
     return report({true, ""});
   }
   const auto id = random_hex(16);
-  order(*vehicle, MissionOrder::kLease, who, id, now_s,
-        [vehicle, who, id, now_s, report = std::move(report)](const Outcome& outcome) {
-          if (outcome.ok) vehicle->lease = Lease{who, id, now_s + kLease_s, now_s};
-          const auto& holder = vehicle->mission.lease_operator;
-          report(outcome.ok || holder.empty() ? outcome
-                                              : Outcome{false, holder + " holds the lease"});
-        });
+  vehicle->delivery->order(
+      MissionOrder::kLease, who, id, now_s,
+      [vehicle, who, id, now_s, report = std::move(report)](const Outcome& outcome) {
+        if (outcome.ok) vehicle->lease = Lease{who, id, now_s + kLease_s, now_s};
+        const auto& holder = vehicle->mission.lease_operator;
+        report(outcome.ok || holder.empty() ? outcome
+                                            : Outcome{false, holder + " holds the lease"});
+      });
 }
 
 void Commander::release(const std::string& name, const std::string& who, double now_s,
@@ -129,7 +121,7 @@ void Commander::release(const std::string& name, const std::string& who, double 
     return report({false, who + " does not hold the lease"});
   const auto id = vehicle->lease->id;
   vehicle->lease.reset();
-  order(*vehicle, MissionOrder::kRelease, who, id, now_s, std::move(report));
+  vehicle->delivery->order(MissionOrder::kRelease, who, id, now_s, std::move(report));
 }
 
 void Commander::hand_over(const std::string& name, const std::string& who, const std::string& to,
@@ -139,14 +131,15 @@ void Commander::hand_over(const std::string& name, const std::string& who, const
   if (!vehicle->lease || vehicle->lease->name != who)
     return report({false, who + " does not hold the lease"});
   // The secret stays the station's, so the gate sees its holder renew it under a new name.
-  order(*vehicle, MissionOrder::kLease, to, vehicle->lease->id, now_s,
-        [vehicle, to, now_s, report = std::move(report)](const Outcome& outcome) {
-          if (outcome.ok && vehicle->lease) {
-            vehicle->lease->name = to;
-            vehicle->lease->until_s = now_s + kLease_s;
-          }
-          report(outcome);
-        });
+  vehicle->delivery->order(
+      MissionOrder::kLease, to, vehicle->lease->id, now_s,
+      [vehicle, to, now_s, report = std::move(report)](const Outcome& outcome) {
+        if (outcome.ok && vehicle->lease) {
+          vehicle->lease->name = to;
+          vehicle->lease->until_s = now_s + kLease_s;
+        }
+        report(outcome);
+      });
 }
 
 void Commander::command(const std::string& name, MissionOrder what, const std::string& who,
@@ -160,33 +153,46 @@ void Commander::command(const std::string& name, MissionOrder what, const std::s
     return report({false, holder.empty() ? "take the lease first" : holder + " holds the lease"});
   }
   if (holds) lease->until_s = now_s + kLease_s;
-  order(*vehicle, what, who, holds ? lease->id : "", now_s, std::move(report));
+  vehicle->delivery->order(what, who, holds ? lease->id : "", now_s, std::move(report));
+}
+
+void Commander::tick(double now_s) {
+  for (auto& [name, vehicle] : vehicles_) {
+    if (!vehicle.delivery) continue;
+    vehicle.delivery->tick(now_s, [this, &name = name](MissionOrder order) {
+      if (on_unanswered)
+        on_unanswered("the safety gate of " + name + " does not answer the order to " +
+                      std::string(to_string(order)));
+    });
+    renew(vehicle, now_s);
+  }
+  if (former_node_) forget_former();
 }
 
 // Not while an order waits for its answer: the gate tells of its last one only.
 void Commander::renew(Vehicle& vehicle, double now_s) {
   auto& lease = vehicle.lease;
-  if (!lease || !vehicle.pending.empty() || now_s - lease->renewed_s < kRenew_s) return;
+  if (!lease || !vehicle.delivery->idle() || now_s - lease->renewed_s < kRenew_s) return;
   lease->renewed_s = now_s;
   const bool over = now_s > lease->until_s;
   const Lease current = *lease;
   if (over) lease.reset();
-  order(vehicle, over ? MissionOrder::kRelease : MissionOrder::kLease, current.name, current.id,
-        now_s, [&vehicle](const Outcome& outcome) {
-          if (!outcome.ok && outcome.reason == to_string(MissionResult::kRefusedForeign))
-            vehicle.lease.reset();  // it ran out unheard, and somebody else took it
-        });
+  vehicle.delivery->order(
+      over ? MissionOrder::kRelease : MissionOrder::kLease, current.name, current.id, now_s,
+      [&vehicle](const Outcome& outcome) {
+        if (!outcome.ok && outcome.reason == to_string(MissionResult::kRefusedForeign))
+          vehicle.lease.reset();  // it ran out unheard, and somebody else took it
+      });
 }
 
 std::map<std::string, MissionStatus> Commander::missions(double now_s) const {
   std::map<std::string, MissionStatus> result;
   for (const auto& [name, vehicle] : vehicles_) {
     auto mission = vehicle.mission;
-    mission.lease_expires_s =
-        std::max(0.0, mission.lease_expires_s - (now_s - vehicle.lease_heard_s));
+    mission.lease_expires_s = std::max(0.0, mission.lease_expires_s - (now_s - vehicle.heard_s));
     if (vehicle.lease) mission.lease_expires_s = std::max(0.0, vehicle.lease->until_s - now_s);
     if (mission.lease_expires_s == 0.0) mission.lease_operator.clear();
-    mission.unconfirmed = unconfirmed(vehicle, now_s);
+    if (vehicle.delivery) mission.unconfirmed = vehicle.delivery->unconfirmed(now_s);
     result[name] = mission;
   }
   return result;

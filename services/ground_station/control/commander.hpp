@@ -2,27 +2,19 @@
 // Operators' orders to vehicles: leases, commands, and what the safety gates make of them.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "core/safety/mission.hpp"
 #include "services/common/node.hpp"
 #include "services/common/raw.hpp"
+#include "services/ground_station/control/delivery.hpp"
 #include "services/ground_station/status.hpp"
 
 namespace foretrack::station {
-
-struct Outcome {
-  bool ok = false;
-  std::string reason;
-  bool answered = true;  ///< by the safety gate, or here: false where the gate kept silent
-};
-using Report = std::function<void(const Outcome&)>;
 
 /// Orders go out as MissionCommand; the gate decides and tells in SafetyState. A lease that an
 /// operator takes here lasts a minute and is renewed by taking it again or by any command; while it
@@ -67,45 +59,20 @@ class Commander {
     double until_s = 0.0;
     double renewed_s = -1e9;
   };
-  struct Pending {
-    std::uint64_t id = 0;
-    MissionOrder order = MissionOrder::kStart;
-    std::string name, lease_id;
-    double since_s = 0.0;
-    double next_s = 0.0;   // when it is sent, or sent again
-    bool retried = false;  // as no answer came
-    std::vector<std::uint64_t> sent;
-    Report report;  // none: it was told
-  };
   struct Vehicle {
-    std::unique_ptr<RawWriter> writer;
-    std::unique_ptr<RawWriter> former;  // by the former node, while a STOP waits
-    std::vector<Pending> pending;
-    std::optional<Lease> lease;  // that was taken here
+    std::optional<Delivery> delivery;  // none: nothing was heard, or it may not order
+    std::optional<Lease> lease;        // that was taken here
     MissionStatus mission;
-    double lease_heard_s = 0.0;  // when mission was heard
-    double stamp_s = 0.0;        // of the gate's clock, then
-    bool stopped = false;
-    std::optional<Unconfirmed> gave_up;  // until an order is answered
+    double heard_s = 0.0;  // when mission was heard
   };
   Vehicle* find(const std::string& vehicle, const Report& report);
-  void order(Vehicle& vehicle, MissionOrder order, const std::string& name,
-             const std::string& lease_id, double now_s, Report report);
-  void send(Vehicle& vehicle, Pending& pending, double now_s);
-  void settle(Vehicle& vehicle, std::uint64_t command_id, MissionResult result);
   void renew(Vehicle& vehicle, double now_s);
-  void doubt(const std::string& name, Vehicle& vehicle, double now_s);
-  void expire(Vehicle& vehicle, double now_s);
   void forget_former();
-  static bool is_about_lease(MissionOrder order);
-  static std::optional<Unconfirmed> unconfirmed(const Vehicle& vehicle, double now_s);
-  std::uint64_t next_id();
 
   std::shared_ptr<Node> node_, former_node_;
   bool may_order_;
   std::function<void(const std::string&)> on_writer_;
   std::map<std::string, Vehicle> vehicles_;
-  std::uint64_t last_id_ = 0;
 };
 
 }  // namespace foretrack::station

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How an order gets to the gate: sent, answered, sent again, given up.
+#include "services/ground_station/control/delivery.hpp"
+
 #include <algorithm>
 #include <utility>
 
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "services/common/clock.hpp"
 #include "services/ground_station/bus/channel.hpp"
-#include "services/ground_station/control/commander.hpp"
 
 namespace foretrack::station {
 namespace {
@@ -20,17 +20,22 @@ constexpr double kSimulated_s = 1e8;  // stamps before 1973 are of a simulated c
 
 }  // namespace
 
-bool Commander::is_about_lease(MissionOrder order) {
+bool is_about_lease(MissionOrder order) {
   return order == MissionOrder::kLease || order == MissionOrder::kRelease;
 }
 
-std::uint64_t Commander::next_id() {
+std::uint64_t Delivery::next_id() {
   const auto now_us = static_cast<std::uint64_t>(now_ns() / 1000);
   return last_id_ = std::max(now_us, last_id_ + 1);
 }
 
-void Commander::order(Vehicle& vehicle, MissionOrder order, const std::string& name,
-                      const std::string& lease_id, double now_s, Report report) {
+bool Delivery::stops() const {
+  return std::any_of(pending_.begin(), pending_.end(),
+                     [](const Pending& p) { return p.order == MissionOrder::kStop; });
+}
+
+void Delivery::order(MissionOrder order, const std::string& name, const std::string& lease_id,
+                     double now_s, Report report) {
   Pending pending;
   pending.id = next_id();
   pending.order = order;
@@ -38,14 +43,14 @@ void Commander::order(Vehicle& vehicle, MissionOrder order, const std::string& n
   pending.lease_id = lease_id;
   pending.since_s = pending.next_s = now_s;
   pending.report = std::move(report);
-  vehicle.pending.push_back(std::move(pending));
-  if (vehicle.writer->readers() > 0) send(vehicle, vehicle.pending.back(), now_s);
+  pending_.push_back(std::move(pending));
+  if (writer_->readers() > 0) send(pending_.back(), now_s);
 }
 
-void Commander::send(Vehicle& vehicle, Pending& pending, double now_s) {
-  const bool simulated = vehicle.stamp_s < kSimulated_s;
-  const double stamp_s = simulated ? vehicle.stamp_s + (now_s - vehicle.lease_heard_s)
-                                   : static_cast<double>(now_ns()) * 1e-9;
+void Delivery::send(Pending& pending, double now_s) {
+  const bool simulated = gate.stamp_s < kSimulated_s;
+  const double stamp_s =
+      simulated ? gate.stamp_s + (now_s - gate.at_s) : static_cast<double>(now_ns()) * 1e-9;
   foretrack_msgs::msg::MissionCommand command;
   command.header().stamp(to_stamp(stamp_s));
   command.id(pending.sent.empty() ? pending.id : next_id());
@@ -55,18 +60,18 @@ void Commander::send(Vehicle& vehicle, Pending& pending, double now_s) {
   pending.sent.push_back(command.id());
   pending.next_s = pending.order == MissionOrder::kStop ? now_s + kRepeatStop_s : 1e18;
   const auto bytes = to_cdr(type_ops<foretrack_msgs::msg::MissionCommand>(), &command);
-  vehicle.writer->write(bytes);
-  if (vehicle.former && pending.order == MissionOrder::kStop) vehicle.former->write(bytes);
+  writer_->write(bytes);
+  if (former_ && pending.order == MissionOrder::kStop) former_->write(bytes);
 }
 
-void Commander::settle(Vehicle& vehicle, std::uint64_t command_id, MissionResult result) {
+void Delivery::settle(std::uint64_t command_id, MissionResult result) {
   std::vector<std::pair<Report, Outcome>> done;
-  std::erase_if(vehicle.pending, [&](Pending& p) {
+  std::erase_if(pending_, [&](Pending& p) {
     const bool answered = std::find(p.sent.begin(), p.sent.end(), command_id) != p.sent.end();
-    if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && vehicle.stopped))
+    if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && gate.stopped))
       return false;
     const bool ok = !answered || result == MissionResult::kAccepted;
-    vehicle.gave_up.reset();
+    gave_up_.reset();
     if (!p.report) return true;
     done.emplace_back(std::move(p.report), Outcome{ok, ok ? "" : std::string(to_string(result))});
     return true;
@@ -75,21 +80,19 @@ void Commander::settle(Vehicle& vehicle, std::uint64_t command_id, MissionResult
 }
 
 // Sends once more what was not answered; and if the gate is heard, it is the way to it that fails.
-void Commander::doubt(const std::string& name, Vehicle& vehicle, double now_s) {
-  for (auto& pending : vehicle.pending) {
+void Delivery::doubt(double now_s, const std::function<void(MissionOrder)>& on_unanswered) {
+  for (auto& pending : pending_) {
     if (pending.retried || now_s - pending.since_s < kConfirm_s) continue;
     pending.retried = true;
     pending.next_s = now_s;
-    if (now_s - vehicle.lease_heard_s < kHeard_s && on_unanswered)
-      on_unanswered("the safety gate of " + name + " does not answer the order to " +
-                    std::string(to_string(pending.order)));
+    if (now_s - gate.at_s < kHeard_s) on_unanswered(pending.order);
   }
 }
 
 // Whoever gave the order is told. A STOP goes on.
-void Commander::expire(Vehicle& vehicle, double now_s) {
+void Delivery::expire(double now_s) {
   std::vector<std::pair<Report, Outcome>> late;
-  std::erase_if(vehicle.pending, [&](Pending& p) {
+  std::erase_if(pending_, [&](Pending& p) {
     const bool is_stop = p.order == MissionOrder::kStop;
     if (now_s - p.since_s < kPatience_s) return false;
     if (p.report)
@@ -99,34 +102,39 @@ void Commander::expire(Vehicle& vehicle, double now_s) {
                                 .answered = false});
     if (is_stop && now_s - p.since_s < kStopPatience_s) return false;
     if (!is_about_lease(p.order))
-      vehicle.gave_up = Unconfirmed{std::string(to_string(p.order)), p.name, false};
+      gave_up_ = Unconfirmed{std::string(to_string(p.order)), p.name, false};
     return true;
   });
   for (const auto& [report, outcome] : late) report(outcome);
 }
 
-void Commander::tick(double now_s) {
-  for (auto& [name, vehicle] : vehicles_) {
-    if (!vehicle.writer) continue;
-    doubt(name, vehicle, now_s);
-    const int readers =
-        vehicle.writer->readers() + (vehicle.former ? vehicle.former->readers() : 0);
-    for (auto& pending : vehicle.pending)
-      if (now_s >= pending.next_s && readers > 0) send(vehicle, pending, now_s);
-    expire(vehicle, now_s);
-    renew(vehicle, now_s);
-  }
-  if (former_node_) forget_former();
+void Delivery::tick(double now_s, const std::function<void(MissionOrder)>& on_unanswered) {
+  doubt(now_s, on_unanswered);
+  const int readers = writer_->readers() + (former_ ? former_->readers() : 0);
+  for (auto& pending : pending_)
+    if (now_s >= pending.next_s && readers > 0) send(pending, now_s);
+  expire(now_s);
+}
+
+void Delivery::move_to(std::unique_ptr<RawWriter> writer) {
+  former_ = stops() ? std::move(writer_) : nullptr;
+  writer_ = std::move(writer);
+  for (auto& pending : pending_) pending.next_s = 0.0;
+}
+
+bool Delivery::needs_former() {
+  if (!stops()) former_.reset();
+  return former_ != nullptr;
 }
 
 // A lease that a vehicle out of reach does not confirm is no news.
-std::optional<Unconfirmed> Commander::unconfirmed(const Vehicle& vehicle, double now_s) {
-  for (const auto& p : vehicle.pending) {
+std::optional<Unconfirmed> Delivery::unconfirmed(double now_s) const {
+  for (const auto& p : pending_) {
     if (now_s - p.since_s < kConfirm_s) continue;
-    if (is_about_lease(p.order) && now_s - vehicle.lease_heard_s > kHeard_s) continue;
+    if (is_about_lease(p.order) && now_s - gate.at_s > kHeard_s) continue;
     return Unconfirmed{std::string(to_string(p.order)), p.name, true};
   }
-  return vehicle.gave_up;
+  return gave_up_;
 }
 
 }  // namespace foretrack::station

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "services/files/share/cpu_time.hpp"
+#include "services/common/time_now.hpp"
 #include "services/files/share/share.hpp"
 #include "services/offline/flight/camera_eye.hpp"
 

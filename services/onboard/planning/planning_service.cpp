@@ -2,9 +2,9 @@
 #include "services/onboard/planning/planning_service.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "core/planning/stage_clock.hpp"
+#include "services/common/time_now.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
 #include "services/convert/target.hpp"
@@ -22,15 +22,9 @@ constexpr auto convert = [](auto&& message) {
 constexpr double kWatchPeriod_s = 0.01;
 constexpr double kDrawPeriod_s = 0.1;
 
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 // Ids go on growing when the service is started anew.
 std::uint64_t first_id() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
+  return static_cast<std::uint64_t>(now_ns() / 1'000'000);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/prediction/prediction_service.hpp"
 
-#include <chrono>
-
+#include "services/common/time_now.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
 #include "services/convert/target.hpp"
@@ -19,11 +18,6 @@ constexpr auto convert = [](auto&& message) {
 constexpr double kSilence_s = 0.5;
 constexpr double kDeclarePeriod_s = 0.2;
 constexpr double kDrawPeriod_s = 0.1;
-
-double steady_ms() {
-  using std::chrono::duration;
-  return duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 
@@ -47,14 +41,14 @@ PredictionService::PredictionService(Service& service, const PredictionParams& p
 
 // Without a map nothing is known to stand in the target's way.
 void PredictionService::predict_from(const TargetState& target) {
-  const double start_ms = steady_ms();
+  const double start_s = steady_s();
   const auto& [intention, prediction] = predict(state_, target, map_, params_);
   if (prediction.status != PredictionStatus::kNoTarget) {
     to_idl(intention, intention_.sample());
     intention_.write();
   }
   to_idl(prediction, prediction_.sample());
-  prediction_.sample().compute_ms(steady_ms() - start_ms);
+  prediction_.sample().compute_ms(1e3 * (steady_s() - start_s));
   prediction_.write();
   draw();
 }
