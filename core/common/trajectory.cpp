@@ -34,13 +34,10 @@ std::string_view to_string(PlanStatus status) {
 }
 
 std::string_view to_string(PlanReason reason) {
-  constexpr std::array<std::string_view, 14> names = {"ok",
+  constexpr std::array<std::string_view, 11> names = {"ok",
                                                       "no target",
                                                       "target lost",
                                                       "stale input",
-                                                      "start is blocked",
-                                                      "target is blocked",
-                                                      "no path",
                                                       "empty corridor",
                                                       "not converged",
                                                       "limits violated",

@@ -78,9 +78,6 @@ enum class PlanReason : std::uint8_t {
   kNoTarget,
   kTargetLost,
   kStaleInput,
-  kStartBlocked,   ///< the vehicle is inside an inflated obstacle
-  kTargetBlocked,  ///< no free place sees the target
-  kNoPath,
   kEmptyCorridor,
   kNotConverged,
   kLimitsViolated,

@@ -39,20 +39,16 @@ std::string_view mode_word(std::uint8_t mode) {
 }
 
 std::string_view service_word(std::uint8_t state) {
-  static constexpr std::array<std::string_view, 4> kWords = {"starting", "running", "degraded",
-                                                             "stopping"};
+  static constexpr std::array<std::string_view, 3> kWords = {"running", "degraded", "stopping"};
   return word(kWords, state);
 }
 
 std::string_view explain_plan(std::uint8_t reason) {
-  static constexpr std::array<std::string_view, 14> kSentences = {
+  static constexpr std::array<std::string_view, 11> kSentences = {
       "all is well",
       "no person has been seen yet",
       "the person was lost",
       "an input is too old",
-      "the vehicle itself is too near an obstacle, or in space that was never seen",
-      "the person seems to stand inside an obstacle",
-      "there is no free way to a place from which the person is visible",
       "the free space along the way is too tight",
       "the optimiser did not converge",
       "the trajectory broke the vehicle's limits",

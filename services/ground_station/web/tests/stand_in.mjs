@@ -113,7 +113,7 @@ class StandIn {
 
   troubled(name, message) {
     if (message.service !== "perception" || !this.doubtful.has(name)) return message;
-    return { ...message, state: 2,
+    return { ...message, state: 1,
       last_error: "several people could be the one who is followed; see the image" };
   }
 

@@ -145,7 +145,7 @@ export function safety(t, more = {}) {
 }
 
 export function health(t, service, more = {}) {
-  return { header: headerOf(t), service, state: 1, uptime_s: t % 1000, cpu_percent: 12,
+  return { header: headerOf(t), service, state: 0, uptime_s: t % 1000, cpu_percent: 12,
     rss_bytes: 30000000n, loops: 100n, loop_mean_ms: 0.4, loop_max_ms: 2, foreign_endpoints: 0,
     last_error: "", topics: [{ topic: "odometry", writes: false, samples: 100n, rate_hz: 50,
       age_s: 0.01, peers: 1, rejected: [{ reason: "stamp", samples: 3n }] }], ...more };

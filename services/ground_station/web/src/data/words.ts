@@ -5,7 +5,7 @@ const track = ["never seen", "tracking", "coasting", "lost"];
 const prediction = ["ok", "no target", "target blocked", "search exhausted"];
 const plan = ["none", "fresh", "kept", "search", "hold"];
 const mode = ["track", "coast", "hover", "brake", "silent"];
-const service = ["starting", "running", "degraded", "stopping"];
+const service = ["running", "degraded", "stopping"];
 const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped"];
 const result = ["none", "accepted", "refused: too late", "refused: repeated",
   "refused: not from this phase", "refused: somebody else has control"];
@@ -19,9 +19,6 @@ const planReason = [
   "no person has been seen yet",
   "the person was lost",
   "an input is too old",
-  "the vehicle itself is too near an obstacle, or in space that was never seen",
-  "the person seems to stand inside an obstacle",
-  "there is no free way to a place from which the person is visible",
   "the free space along the way is too tight",
   "the optimiser did not converge",
   "the trajectory broke the vehicle's limits",
@@ -61,7 +58,7 @@ export const explainGate = from(gateReason);
 export const Mode = { track: 0, coast: 1, hover: 2, brake: 3, silent: 4 } as const;
 export const Track = { none: 0, tracking: 1, coasting: 2, lost: 3 } as const;
 export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as const;
-export const ServiceState = { starting: 0, running: 1, degraded: 2, stopping: 3 } as const;
+export const ServiceState = { running: 0, degraded: 1, stopping: 2 } as const;
 /** A lease is renewed by an order every second. */
 export const leaseCommand = 6;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;

@@ -38,7 +38,7 @@ export function safety(stamp_s: number, more: object = {}) {
 }
 
 export function health(service: string, more: object = {}) {
-  return { header: { stamp: stamp(0), frame_id: "" }, service, state: 1, uptime_s: 1,
+  return { header: { stamp: stamp(0), frame_id: "" }, service, state: 0, uptime_s: 1,
     cpu_percent: 1, rss_bytes: 1n, loop_mean_ms: 1, loop_max_ms: 1, foreign_endpoints: 0,
     last_error: "", topics: [], ...more };
 }
