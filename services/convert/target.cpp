@@ -92,7 +92,6 @@ void read_landmarks(Checks& checks, const std::vector<foretrack_msgs::msg::Landm
 void to_idl(const TargetObservation& in, foretrack_msgs::msg::TargetObservation& out) {
   set_header(out.header(), in.stamp_s);
   out.kind(static_cast<std::uint8_t>(in.kind));
-  out.confidence(1.0f);
   to_idl(in.camera, out.camera());
   const bool landmarks = in.kind == TargetObservation::Kind::kLandmarks;
   out.landmarks().resize(landmarks ? kLandmarkCount : 0);
@@ -126,7 +125,6 @@ Converted<TargetObservation> from_idl(const foretrack_msgs::msg::TargetObservati
   TargetObservation out;
   check_header(checks, in.header());
   checks.enumerator("kind", in.kind(), kinds::KIND_POSITION);
-  checks.in_range("confidence", in.confidence(), 0.0, 1.0);
   out.stamp_s = seconds(in.header().stamp());
   out.kind = static_cast<TargetObservation::Kind>(in.kind());
   if (out.kind == TargetObservation::Kind::kLandmarks) {

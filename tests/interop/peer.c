@@ -134,7 +134,6 @@ static void observe(dds_entity_t writer, const double position_m[3]) {
   o.header.stamp.nanosec = (uint32_t)(now % DDS_NSECS_IN_SEC);
   o.header.frame_id = "map";
   o.kind = foretrack_msgs_msg_dds__TargetObservation_Constants_KIND_POSITION;
-  o.confidence = 1.0f;
   o.camera.width_px = 640;
   o.camera.height_px = 480;
   o.camera.fx_px = o.camera.fy_px = 400.0;

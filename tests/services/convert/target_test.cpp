@@ -110,7 +110,6 @@ TEST(TargetObservationMessage, RefusesBadLandmarkRows) {
       testing::header_faults<M>() +
           std::vector<testing::PlantedFault<M>>{
               {"kind", [](M& m) { m.kind(2); }},
-              {"confidence", [=](M& m) { m.confidence(nan); }},
               {"landmarks", [](M& m) { m.landmarks().resize(32); }},
               {"landmarks", [](M& m) { m.landmarks().resize(1000); }},
               {"landmarks", [](M& m) { m.landmarks().clear(); }},
