@@ -119,6 +119,19 @@ std::string describe_params(TrackerParams& params, std::string_view stage) {
   return text;
 }
 
+std::string markdown_of_params(TrackerParams& params, std::string_view stage) {
+  std::string text;
+  for (const auto& [name, stage_rows] : chosen(params, stage)) {
+    text += fmt::format(
+        "## {}\n\n| name | default | unit | range | meaning |\n|---|---|---|---|---|\n", name);
+    for (const auto& row : stage_rows)
+      text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.name, text_of(row), row.unit,
+                          range_of(row), row.meaning);
+    text += '\n';
+  }
+  return text;
+}
+
 std::string yaml_of_params(TrackerParams& params, std::string_view stage) {
   std::string text;
   for (const auto& [name, stage_rows] : chosen(params, stage)) {

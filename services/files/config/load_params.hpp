@@ -27,6 +27,9 @@ TrackerParams load_params(const std::string& file);
 /// std::invalid_argument that lists the stages if there is no such stage.
 std::string describe_params(TrackerParams& params, std::string_view stage = {});
 
+/// The same as Markdown: a heading and a table for each stage.
+std::string markdown_of_params(TrackerParams& params, std::string_view stage = {});
+
 /// The stage's rows as a parameter file would have them; every stage if empty.
 std::string yaml_of_params(TrackerParams& params, std::string_view stage = {});
 
