@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/common/camera.hpp"
 #include "core/common/random.hpp"
-#include "core/common/vehicle.hpp"
 
 namespace foretrack {
 namespace {
@@ -66,52 +64,6 @@ TEST(Frames, OpticalAxisIsBodyForward) {
   EXPECT_EQ(r * Vec3::UnitX(), Vec3(0, -1, 0));
   EXPECT_EQ(r * Vec3::UnitY(), Vec3(0, 0, -1));
   EXPECT_NEAR(r.determinant(), 1.0, 1e-15);
-}
-
-TEST(Camera, FieldOfViewRoundTrips) {
-  const CameraModel camera = CameraModel::from_fov(320, 240, rad(90.0), rad(75.0));
-  EXPECT_NEAR(camera.horizontal_fov_rad(), rad(90.0), 1e-12);
-  EXPECT_NEAR(camera.vertical_fov_rad(), rad(75.0), 1e-12);
-  EXPECT_NEAR(CameraModel().vertical_fov_rad(), rad(75.0), 1e-3);
-}
-
-TEST(Camera, EdgeOfViewIsEdgeOfImage) {
-  const CameraModel camera = CameraModel::from_fov(320, 240, rad(90.0), rad(75.0));
-  const Vec2 corner = *camera.project({std::tan(rad(45.0)), std::tan(rad(37.5)), 1.0});
-  EXPECT_LT((corner - Vec2(320, 240)).norm(), 1e-9);
-  EXPECT_FALSE(camera.contains(corner));
-  EXPECT_TRUE(camera.contains(corner - Vec2(0.5, 0.5)));
-}
-
-TEST(Camera, PointBehindHasNoImage) {
-  EXPECT_FALSE(CameraModel().project({0.1, 0.1, -1.0}).has_value());
-  EXPECT_FALSE(CameraModel().project({0.0, 0.0, 0.0}).has_value());
-}
-
-TEST(Camera, PointLeftOfTheVehicleIsLeftInTheImage) {
-  VehicleState vehicle;
-  vehicle.position_enu_m = {1, 2, 3};
-  vehicle.q_world_body = Quat(Eigen::AngleAxisd(kPi / 2.0, Vec3::UnitZ()));  // faces north
-  const Pose T_world_camera = vehicle.T_world_body() * CameraModel().T_body_camera;
-  const Vec3 north_west_up(1 - 0.5, 2 + 2.0, 3 + 0.4);
-  const Vec2 px = *CameraModel().project(T_world_camera.inverse() * north_west_up);
-  EXPECT_NEAR(px.x(), 320.0 - 320.0 * 0.25, 1e-9);
-  EXPECT_NEAR(px.y(), 240.0 - 312.78 * 0.2, 1e-9);
-}
-
-TEST(Geometry, WrappedAngleIsTheSameDirectionWithinHalfATurn) {
-  for (double angle = -20.0; angle < 20.0; angle += 0.137) {
-    const double wrapped = wrap_angle(angle);
-    EXPECT_LE(std::abs(wrapped), kPi + 1e-12);
-    EXPECT_LT((direction_of(wrapped) - direction_of(angle)).norm(), 1e-12);
-    EXPECT_NEAR(wrap_angle(yaw_of(direction_of(angle)) - angle), 0.0, 1e-12);
-  }
-}
-
-TEST(Geometry, YawOfAnAttitudeIgnoresPitch) {
-  const Quat q =
-      Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ())) * Quat(Eigen::AngleAxisd(-0.3, Vec3::UnitY()));
-  EXPECT_NEAR(yaw_of(q), 0.7, 1e-12);
 }
 
 }  // namespace

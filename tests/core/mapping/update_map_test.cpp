@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-#include <stdexcept>
-
 #include "core/mapping/octree_cells.hpp"
 #include "tests/core/mapping/box_world.hpp"
 #include "tests/support/count_allocations.hpp"
@@ -301,15 +298,6 @@ TEST(UpdateMap, NamesEachReasonForRefusal) {
   image.depth_m.pop_back();
   EXPECT_EQ(update_map(m.state, image, m.history, nullptr, m.params).status,
             MapStatus::kInvalidImage);
-}
-
-TEST(MappingParams, DefaultsAreValidAndBadOnesAreRefused) {
-  MappingParams params;
-  EXPECT_TRUE(faults_of(rows(params)).empty());
-  std::set<std::string_view> names;
-  for (const auto& row : rows(params)) EXPECT_TRUE(names.insert(row.name).second) << row.name;
-  params.resolution_m = 0.0;
-  EXPECT_THROW(MappingState state(params), std::invalid_argument);
 }
 
 }  // namespace

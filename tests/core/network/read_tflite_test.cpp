@@ -3,11 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "core/network/flatbuffer.hpp"
 #include "core/network/inference.hpp"
-#include "core/network/tflite_constants.hpp"
 #include "tests/core/network/tiny_tflite.hpp"
 
 namespace foretrack {
@@ -15,20 +12,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using testing::tiny_tflite;
-
-TEST(FloatOfHalf, IsExactForEveryNumber) {
-  for (int half = 0; half < 0x10000; ++half) {
-    const int exponent = (half >> 10) & 31, fraction = half & 1023;
-    const double sign = half & 0x8000 ? -1.0 : 1.0;
-    const double size =
-        exponent ? std::ldexp(1024 + fraction, exponent - 25) : std::ldexp(fraction, -24);
-    const float value = float_of_half(static_cast<std::uint16_t>(half));
-    if (exponent == 31)
-      EXPECT_TRUE(fraction ? std::isnan(value) : std::isinf(value));
-    else
-      EXPECT_EQ(value, static_cast<float>(sign * size)) << half;
-  }
-}
 
 TEST(ReadTflite, ExpandsSparseHalfPrecisionWeights) {
   const NetworkModel model = read_tflite(tiny_tflite());

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "tests/core/perception/synthetic_person.hpp"
 #include "tests/support/count_allocations.hpp"
 
@@ -281,14 +279,6 @@ TEST(Perceive, AllocatesNothing) {
     coast(state, o.stamp_s + 0.1, kParams);
     EXPECT_EQ(allocation_count(), before);
   }
-}
-
-TEST(PerceptionParams, DefaultsAreValidAndNamesAreUnique) {
-  PerceptionParams params;
-  const ParamRows all = rows(params);
-  EXPECT_TRUE(faults_of(all).empty());
-  std::set<std::string_view> names;
-  for (const auto& row : all) EXPECT_TRUE(names.insert(row.name).second) << row.name;
 }
 
 }  // namespace

@@ -10,57 +10,6 @@ namespace {
 
 using testing::grey_image;
 
-PersonPose pose_at(const Vec2& torso_px, double size_px) {
-  PersonPose pose;
-  const auto put = [&](TorsoJoint joint, double x, double y) {
-    pose.landmarks[joint].image_px = torso_px + size_px * Vec2(x, y);
-  };
-  put(kLeftShoulder, 0.1, -0.1);
-  put(kRightShoulder, -0.1, -0.1);
-  put(kLeftHip, 0.1, 0.1);
-  put(kRightHip, -0.1, 0.1);
-  pose.tracked = {torso_px, size_px, 0.0};
-  return pose;
-}
-
-Appearance wearing(double color) {
-  Appearance clothes;
-  clothes.colors[0] = color;
-  return clothes;
-}
-
-TEST(PersonMemory, GoesOnAsItMovedAndIsLessCertain) {
-  PersonMemory person;
-  for (int k = 0; k < 60; ++k)
-    remember(person, pose_at({100.0 + 2.0 * k, 200.0}, 150.0), {}, k / 30.0, true);
-  const TorsoPlace now = place_at(person, 59 / 30.0), later = place_at(person, 59 / 30.0 + 0.5);
-  EXPECT_NEAR(later.px.x() - now.px.x(), 30.0, 0.1);
-  EXPECT_GT(later.sigma_px, now.sigma_px);
-}
-
-TEST(PersonMemory, PlaceSizeAndClothesEachTellOneFromAnother) {
-  PersonMemory person;
-  remember(person, pose_at({100.0, 200.0}, 150.0), wearing(0.0), 1.0, true);
-  const auto unlike = [&](const PersonPose& pose, double color) {
-    return unlikeness(person, place_at(person, 1.0), 1.0, pose, wearing(color));
-  };
-  EXPECT_NEAR(unlike(pose_at({100.0, 200.0}, 150.0), 0.0), 0.0, 1e-9);
-  EXPECT_GT(unlike(pose_at({120.0, 200.0}, 150.0), 0.0), 9.0);
-  EXPECT_GT(unlike(pose_at({100.0, 200.0}, 175.0), 0.0), 9.0);
-  EXPECT_GT(unlike(pose_at({100.0, 200.0}, 150.0), 0.5), 9.0);
-}
-
-TEST(PersonMemory, NothingIsLearntOfClothesAndLittleOfSizeWhileSomebodyIsNear) {
-  PersonMemory person;
-  remember(person, pose_at({100.0, 200.0}, 150.0), wearing(0.0), 1.0, true);
-  remember(person, pose_at({100.0, 200.0}, 180.0), wearing(1.0), 1.1, false);
-  EXPECT_EQ(person.wears->colors[0], 0.0);
-  EXPECT_LT(person.size_px, 152.0);
-  remember(person, pose_at({100.0, 200.0}, 180.0), wearing(1.0), 1.2, true);
-  EXPECT_GT(person.wears->colors[0], 0.0);
-  EXPECT_EQ(person.size_px, 180.0);
-}
-
 // The fake landmark network puts a person into the middle of any region; the detector sees whom
 // the test wants.
 class WatchOthers : public ::testing::Test {
@@ -145,6 +94,31 @@ TEST_F(WatchOthers, WhoWentFarAwayIsForgotten) {
   look_with_other_at(2.0);
   look(0.03);
   EXPECT_FALSE(state_.other.known());
+}
+
+TEST_F(WatchOthers, WhoWasNotSeenForALongTimeIsForgotten) {
+  look_with_other_at(1.0);
+  fake_.see_nobody();
+  fake_.answer_person(0.1);  // nobody is in any region
+  look(1.4);
+  EXPECT_TRUE(state_.other.known());
+  look(1.6);
+  EXPECT_FALSE(state_.other.known());
+}
+
+TEST_F(WatchOthers, ANearerOneTakesThePlaceOfTheOther) {
+  look_with_other_at(1.3);
+  const double before_px = state_.other.torso_px.x();
+  fake_.see({0.6, 0.5}, 0.2, 3.0);
+  look(0.2);
+  ASSERT_TRUE(state_.other.known());
+  EXPECT_LT(state_.other.torso_px.x(), before_px - 20.0);
+}
+
+TEST_F(WatchOthers, NobodyIsLookedForBeforeSomebodyIsChosen) {
+  watch_others(state_, image_, 0.0, fake_.network, params_);
+  EXPECT_EQ(fake_.detector->runs, 0);
+  EXPECT_EQ(fake_.landmarks->runs, 0);
 }
 
 }  // namespace

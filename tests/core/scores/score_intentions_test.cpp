@@ -120,11 +120,5 @@ TEST(IntentionScorer, TheTruthHasSkillOneAndTheBaseRatesHaveNone) {
   EXPECT_NEAR(both.report().brier, 0.5 * base.report().brier, 1e-9);
 }
 
-TEST(Reliability, TheCalibrationErrorIsTheGapOfAnOverconfidentForecast) {
-  std::vector<std::pair<double, bool>> pairs;
-  for (int i = 0; i < 300; ++i) pairs.emplace_back(0.9, i % 10 < 6);
-  EXPECT_NEAR(expected_calibration_error(reliability_bins(pairs, 15)), 0.3, 1e-9);
-}
-
 }  // namespace
 }  // namespace foretrack

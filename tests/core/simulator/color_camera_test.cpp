@@ -33,52 +33,6 @@ Scenario filmed() {
   return s;
 }
 
-TEST(PersonModel, JointsAreWhereTheSimulatedPersonHasThem) {
-  // A mesh that is nothing but a small triangle at each joint.
-  const Skeleton s = testing::standing_skeleton();
-  const std::pair<const Skeleton::Side*, int> sides[] = {
-      {&s.shoulder, 11}, {&s.elbow, 13}, {&s.wrist, 15}, {&s.hip, 23},
-      {&s.knee, 25},     {&s.ankle, 27}, {&s.toes, 31}};
-  PersonMesh mesh;
-  mesh.textures = {make_texture({1, 1, {9, 9, 9}})};
-  for (const double z : {0.0, 1.0})
-    testing::add_bone(mesh, Eigen::Vector3f(0, 0, z), Eigen::Vector3f(0, 0, z), 0.0F, 0);
-  for (const auto& [side, left] : sides)
-    for (const auto& place : *side) testing::add_bone(mesh, place, place, 0.001F, 0);
-  // The mesh is centred on its bounding box; the markers are not.
-  Eigen::Vector3f low = mesh.vertices[0].position, high = low;
-  for (const auto& v : mesh.vertices)
-    low = low.cwiseMin(v.position), high = high.cwiseMax(v.position);
-  const Eigen::Vector3f middle(0.5F * (low.x() + high.x()), 0.5F * (low.y() + high.y()), 0.0F);
-  Skeleton centred = s;
-  for (auto* side : {&centred.shoulder, &centred.elbow, &centred.wrist, &centred.fingertips,
-                     &centred.hip, &centred.knee, &centred.ankle, &centred.toes})
-    for (auto& place : *side) place -= middle;
-  const PersonModel model = make_person_model(std::move(mesh), centred);
-  std::vector<Corner> posed;
-  for (const double height_m : {1.6, 1.9})
-    for (double phase = 0.0; phase < 6.0; phase += 0.7) {
-      PersonState person = walking(1.0 + phase, phase);
-      const auto joints = joints_enu_m(person, height_m);
-      pose_person(model, joints, height_m, posed);
-      std::size_t first = 16;
-      for (const auto& [side, left] : sides)
-        for (const int i : {0, 1}) {
-          Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-          for (int k = 0; k < 8; ++k) mean += posed[first + k].camera_m / 8.0F;
-          first += 8;
-          EXPECT_LT((mean.cast<double>() - joints[left + i]).norm(), 0.005) << left + i;
-        }
-    }
-}
-
-TEST(PersonModel, RefusesMeshesThatAreNone) {
-  EXPECT_THROW(make_person_model({}, testing::standing_skeleton()), std::invalid_argument);
-  PersonMesh mesh = testing::make_mannequin()->mesh;
-  mesh.triangles[3].vertices[1] = 100000;
-  EXPECT_THROW(make_person_model(mesh, testing::standing_skeleton()), std::invalid_argument);
-}
-
 TEST(ColorCamera, ShowsThePersonWhereTheJointsProject) {
   const auto mannequin = testing::make_mannequin();
   ColorCamera camera = make_color_camera({}, {}, mannequin);

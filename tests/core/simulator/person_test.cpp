@@ -73,45 +73,5 @@ TEST(Person, VelocityIsTheDerivativeOfThePosition) {
   }
 }
 
-TEST(Body, TorsoJointsAverageToThePositionAndFaceTheYaw) {
-  PersonState state;
-  state.position_enu_m = {3, -2, 1.2};
-  state.velocity_enu_m_s = {1, 0, 0};
-  state.stride_rad = 1.0;
-  for (const double yaw : {0.0, 1.0, kPi / 2.0, -2.5}) {
-    state.body_yaw_rad = yaw;
-    const auto joints = joints_enu_m(state, 1.75);
-    const Vec3 mean = 0.25 * (joints[kLeftShoulder] + joints[kRightShoulder] + joints[kLeftHip] +
-                              joints[kRightHip]);
-    EXPECT_LT((mean - state.position_enu_m).norm(), 1e-9);
-    // ξ_rb of the design: [y11 − y12, x12 − x11] points where the chest does.
-    const Vec2 chest(joints[kLeftShoulder].y() - joints[kRightShoulder].y(),
-                     joints[kRightShoulder].x() - joints[kLeftShoulder].x());
-    EXPECT_NEAR(wrap_angle(yaw_of(chest) - yaw), 0.0, 1e-9);
-  }
-}
-
-TEST(Body, FeetStandOnTheGroundAndTheHeadIsBelowTheHeight) {
-  Person person = make_person({}, walk_along(std::vector<Vec2>{{0, 0}}, {}), 0.5);
-  const auto joints = joints_enu_m(person.state, person.params.height_m);
-  double lowest = 1e9, highest = -1e9;
-  for (const Vec3& joint : joints) {
-    lowest = std::min(lowest, joint.z());
-    highest = std::max(highest, joint.z());
-  }
-  EXPECT_NEAR(lowest, 0.5, 0.05);
-  EXPECT_NEAR(highest, 0.5 + 0.94 * 1.75, 0.03);
-}
-
-TEST(Body, LimbsKeepTheirLengthWhileWalking) {
-  PersonState standing, walking;
-  walking.velocity_enu_m_s = {1.5, 0, 0};
-  walking.stride_rad = kPi / 2.0;
-  const auto a = joints_enu_m(standing, 1.75), b = joints_enu_m(walking, 1.75);
-  const std::pair<int, int> bones[] = {{23, 25}, {25, 27}, {27, 31}, {11, 13}, {13, 15}, {24, 26}};
-  for (const auto& [i, k] : bones) EXPECT_NEAR((a[i] - a[k]).norm(), (b[i] - b[k]).norm(), 1e-9);
-  EXPECT_GT((a[27] - b[27]).norm(), 0.2);
-}
-
 }  // namespace
 }  // namespace foretrack

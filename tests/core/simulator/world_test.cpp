@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/common/random.hpp"
-#include "core/simulator/generate_world.hpp"
 
 namespace foretrack {
 namespace {
@@ -119,40 +118,6 @@ TEST(KnownMap, CellIsOccupiedIfAndOnlyIfItOverlapsAShape) {
         ASSERT_EQ(map.cells[map.offset_of({x, y, z})] != 0, expected) << x << " " << y << " " << z;
       }
   EXPECT_EQ(map.unfree_distance_cm.size(), map.cell_count());
-}
-
-TEST(GenerateWorld, SameSeedGivesTheSameWorldAndAnotherSeedAnother) {
-  for (int k = 1; k < static_cast<int>(kWorldKindNames.size()); ++k) {
-    const auto kind = static_cast<WorldKind>(k);
-    const World a = generate_world({kind, 60, 1}), b = generate_world({kind, 60, 1});
-    EXPECT_GT(a.boxes.size() + a.cylinders.size(), 2u) << kWorldKindNames[k];
-    ASSERT_EQ(a.boxes.size(), b.boxes.size());
-    for (std::size_t i = 0; i < a.boxes.size(); ++i) EXPECT_EQ(a.boxes[i].max_m, b.boxes[i].max_m);
-    const World c = generate_world({kind, 60, 2});
-    const bool differs =
-        a.boxes.size() != c.boxes.size() ||
-        (!a.boxes.empty() && a.boxes[0].max_m != c.boxes[0].max_m) ||
-        (!a.cylinders.empty() && a.cylinders[0].center_m != c.cylinders[0].center_m);
-    EXPECT_TRUE(differs) << kWorldKindNames[k];
-  }
-}
-
-TEST(GenerateWorld, KeepsTheRouteFree) {
-  const std::vector<Vec2> route = {{0, 0}, {6, 0}, {6, 8}};
-  const World world =
-      generate_world({WorldKind::kBoxes, 120, 4}, {-20, -20, 0}, {20, 20, 5}, route);
-  EXPECT_GT(world.boxes.size(), 80u);
-  EXPECT_GE(ground_clearance_m(world, route[0], route[1]), 1.0);
-  EXPECT_GE(ground_clearance_m(world, route[1], route[2]), 1.0);
-}
-
-TEST(GenerateWorld, ScatteredShapesLeaveRoomToPass) {
-  const World world = generate_world({WorldKind::kCylinders, 80, 9});
-  for (std::size_t i = 0; i < world.cylinders.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto &a = world.cylinders[i], &b = world.cylinders[j];
-      EXPECT_GE((a.center_m - b.center_m).norm() - a.radius_m - b.radius_m, 1.19);
-    }
 }
 
 }  // namespace
