@@ -21,7 +21,7 @@ struct View {
 struct LookAhead {
   SearchState search;
   WaypointPath way;
-  std::array<std::vector<View>, kIntentionCount> views;  // of each expected path
+  std::array<std::vector<View>, kMaxIntentions> views;  // of each expected path
   bool target_seen = false;                              // some waypoint sees its z_k
   bool path_found = false;                               // some waypoint was reached
 };
