@@ -52,6 +52,9 @@ std::vector<RecordedStep> record_world(const Scenario& scenario) {
                        .known_map = s.known_map};
     const TargetObservation truth = truth_of(s.simulator.target);
     if (s.simulator.color) input.observation = &truth;
+    const MissionCommand start{
+        .id = 1, .stamp_s = s.simulator.now_s, .order = MissionOrder::kStart};
+    if (steps.size() == 1) input.command = &start;
     s.command = command_of(step(tracker, input, params).gate);
   };
   fly_pilot(scenario, pilot, metric_params_of(params));

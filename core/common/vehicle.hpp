@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -66,12 +67,50 @@ struct Setpoint {
   double yaw_rate_rad_s = 0.0;
 };
 
+/// Who or what flies, as far as it matters to us.
+enum class FlightMode : std::uint8_t {
+  kUnknown,  // the flight controller does not say
+  kOffboard,
+  kPilot,  // by hand, with whatever help
+  kHold,   // loiters
+  kTakeOff,
+  kReturn,
+  kLand,
+  kTermination,
+  kOther,
+};
+
 /// What the flight controller says of itself.
 struct AutopilotStatus {
   double stamp_s = -1.0;  ///< below 0: never heard of
   bool armed = false;     ///< the motors may turn
   bool offboard = false;  ///< it flies our setpoints
   bool failsafe = false;  ///< it has taken over by itself
+  FlightMode mode = FlightMode::kUnknown;
+  bool sticks_moved = false;    ///< the pilot's, just now
+  bool user_took_over = false;  ///< from a failsafe
+  int system_id = 1;            ///< commands to another one are ignored without a word
+};
+
+enum class CommandKind : std::uint8_t { kArm, kDisarm, kMode };
+
+/// What may be asked of a flight controller.
+struct AutopilotCommand {
+  CommandKind kind = CommandKind::kMode;
+  FlightMode mode = FlightMode::kHold;  // of kMode: to take off, to return and to land are modes
+  bool forced = false;                  // of kDisarm: in the air, too
+  int target_system = 1;                // 0: whoever hears it
+};
+
+/// Its answer, by the numbers of MAVLink's MAV_RESULT.
+enum class CommandResult : std::uint8_t {
+  kAccepted = 0,
+  kTemporarilyRejected = 1,
+  kDenied = 2,
+  kUnsupported = 3,
+  kFailed = 4,
+  kInProgress = 5,
+  kCancelled = 6,
 };
 
 }  // namespace foretrack

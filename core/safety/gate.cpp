@@ -10,18 +10,24 @@ namespace foretrack {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMaxPieces = 64, kMaxNodes = 512;
 
 struct Rung {
   SafetyMode mode;
   SafetyReason reason;
 };
 
-void take_command(GateState& s, const GateInput& in, const SafetyParams& p) {
-  if (p.start_on_launch && !s.launched) s.mission.phase = MissionPhase::kTracking;
-  s.launched = true;
-  if (!in.command) return;
-  s.last_command = *in.command;
-  s.last_result = apply(*in.command, s.mission, in.now_s, {p.command_max_age_s, p.lease_s});
+// What is flown of a plan, into memory that is there.
+void copy_flown(const PlannedTrajectory& from, double clock_offset_s, PlannedTrajectory& to) {
+  to.id = from.id;
+  to.stamp_s = from.stamp_s;
+  to.start_s = from.start_s + clock_offset_s;
+  to.pieces.assign(from.pieces.begin(), from.pieces.end());
+  to.tail_start_s = from.tail_start_s;
+  to.yaw.dt_s = from.yaw.dt_s;
+  to.yaw.nodes.assign(from.yaw.nodes.begin(), from.yaw.nodes.end());
+  to.status = from.status;
+  to.reason = from.reason;
 }
 
 void start_next(GateState& s, double now_s) {
@@ -37,10 +43,13 @@ void take_plan(GateState& s, const GateInput& in) {
   start_next(s, in.now_s);
   if (in.plan) {
     s.last_plan_s = in.now_s;
-    const bool is_new = !in.plan->pieces.empty() && !(s.has_flown && in.plan->id == s.flown.id) &&
+    if (in.plan->status == PlanStatus::kFresh) s.last_fresh_s = in.now_s;
+    const bool fits = !in.plan->pieces.empty() && in.plan->pieces.size() <= kMaxPieces &&
+                      in.plan->yaw.nodes.size() <= kMaxNodes;
+    const bool is_new = fits && !(s.has_flown && in.plan->id == s.flown.id) &&
                         !(s.has_next && in.plan->id == s.next.id);
     if (is_new) {
-      s.next = *in.plan;
+      copy_flown(*in.plan, in.now_s - in.stamp_now_s, s.next);
       s.has_next = true;
     }
   }
@@ -59,23 +68,20 @@ Rung tracking_rung(const GateState& s, const GateInput& in, const GateResult& r,
                : Rung{SafetyMode::kCoast, SafetyReason::kPlanStale};
 }
 
+bool is_known(double at_s, double now_s, double stale_s) {
+  return at_s >= 0.0 && now_s - at_s <= stale_s;
+}
+
 Rung choose_rung(GateState& s, const GateInput& in, const GateResult& r, const SafetyParams& p) {
-  if (in.now_s - in.vehicle.stamp_s > p.vehicle_stale_s)
+  if (!is_known(in.vehicle_at_s, in.now_s, p.vehicle_stale_s))
     return {SafetyMode::kSilent, SafetyReason::kVehicleStale};
-  if (in.autopilot.stamp_s < 0.0 || in.now_s - in.autopilot.stamp_s > p.autopilot_stale_s)
+  if (!is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s))
     return {SafetyMode::kSilent, SafetyReason::kAutopilotStale};
-  switch (s.mission.phase) {
-    case MissionPhase::kIdle:
-    case MissionPhase::kReturning:
-    case MissionPhase::kLanding:
-      return {SafetyMode::kSilent, SafetyReason::kMission};
-    case MissionPhase::kStopped:  // braking comes first, as for every hover from speed
-    case MissionPhase::kHolding:
-      return {SafetyMode::kHover, SafetyReason::kMission};
-    case MissionPhase::kTracking:
-      break;
-  }
-  return tracking_rung(s, in, r, p);
+  if (s.mission.phase == MissionPhase::kTracking || s.mission.phase == MissionPhase::kStarting)
+    return tracking_rung(s, in, r, p);
+  // Until the flight controller has taken over what it was asked for, the place is held.
+  // Braking comes first, as for every hover from speed.
+  return {s.mission.engaged ? SafetyMode::kHover : SafetyMode::kSilent, SafetyReason::kMission};
 }
 
 // A heartbeat with nothing behind it would hide a dead planner from the flight controller for ever.
@@ -85,10 +91,10 @@ bool has_waited_too_long(GateState& s, const GateInput& in, const SafetyParams& 
 }
 
 // The vehicle tilts late: it is told the acceleration that it shall have when it will have tilted.
-Setpoint sample(const PlannedTrajectory& plan, double now_s, double response_s) {
-  const double t = now_s - plan.start_s;
+Setpoint sample(const PlannedTrajectory& plan, const GateInput& in, double response_s) {
+  const double t = in.now_s - plan.start_s;
   const AngleNode yaw = plan.yaw.at(t);
-  return {.stamp_s = now_s,
+  return {.stamp_s = in.stamp_now_s,
           .position_enu_m = plan.position(t),
           .velocity_enu_m_s = plan.velocity(t),
           .acceleration_enu_m_s2 = plan.acceleration(t + response_s),
@@ -97,9 +103,9 @@ Setpoint sample(const PlannedTrajectory& plan, double now_s, double response_s) 
           .yaw_rate_rad_s = yaw.rate_rad_s};
 }
 
-Setpoint stand_still(const GateState& s, double now_s, bool brake) {
+Setpoint stand_still(const GateState& s, double stamp_s, bool brake) {
   Setpoint out;
-  out.stamp_s = now_s;
+  out.stamp_s = stamp_s;
   out.position_enu_m = brake || !s.hover_enu_m ? Vec3::Constant(kNaN) : *s.hover_enu_m;
   out.acceleration_enu_m_s2 = out.jerk_enu_m_s3 = Vec3::Constant(kNaN);
   out.yaw_rad = s.hover_yaw_rad;
@@ -125,49 +131,50 @@ void latch_hover(GateState& s, const GateInput& in, SafetyMode mode, SafetyReaso
   }
 }
 
-AutopilotRequest choose_request(GateState& s, const GateInput& in, const GateResult& r,
-                                const SafetyParams& p) {
-  if (in.now_s - s.last_request_s < p.request_period_s) return AutopilotRequest::kNone;
-  AutopilotRequest request = AutopilotRequest::kNone;
-  if (s.mission.phase == MissionPhase::kReturning) request = AutopilotRequest::kReturn;
-  if (s.mission.phase == MissionPhase::kLanding) request = AutopilotRequest::kLand;
-  if (r.heartbeat && !in.autopilot.offboard) request = AutopilotRequest::kOffboard;
-  if (r.heartbeat && !in.autopilot.armed) request = AutopilotRequest::kArm;
-  if (request != AutopilotRequest::kNone) s.last_request_s = in.now_s;
-  return request;
+// Orders, and what the flight controller lets us do.
+void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
+  settle_order(s.order, s.mission, s.carrying, in.writing);
+  if (in.command)
+    take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
+               in.autopilot, p.mission_rules());
+  if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
+    const bool ready = in.now_s - s.last_fresh_s <= p.plan_fresh_s;
+    r.request =
+        carry_out(s.carrying, s.mission,
+                  {in.now_s, in.autopilot, in.ack, ready, s.heartbeat_since_s}, p.carry_out());
+  }
+  r.memory_changed = remember(s.memory, s.mission);
+  if (in.command) {
+    await_writing(s.order, s.memory, r.memory_changed);
+    settle_order(s.order, s.mission, s.carrying, in.writing);
+  }
+}
+
+void report(const GateState& s, const GateInput& in, GateResult& r) {
+  r.phase = s.mission.phase;
+  r.end = s.carrying.end;
+  r.asked = s.carrying.asked;
+  r.answer = s.carrying.answer;
+  r.command_result = s.order.result;
+  r.command_id = s.order.last.id;
+  r.plan_age_s = s.last_plan_s < 0.0 ? -1.0 : in.now_s - s.last_plan_s;
+  r.plan_id = s.has_flown ? s.flown.id : 0;
 }
 
 }  // namespace
 
-ParamRows rows(SafetyParams& p) {
-  return {
-      {"plan_fresh_s", &p.plan_fresh_s, "s", 0.05, 2.0, "a plan older than this coasts"},
-      {"hover_limit_s", &p.hover_limit_s, "s", 0.5, 60.0,
-       "without any plan for this long the heartbeat stops"},
-      {"vehicle_stale_s", &p.vehicle_stale_s, "s", 0.05, 2.0, "oldest vehicle state to act on"},
-      {"autopilot_stale_s", &p.autopilot_stale_s, "s", 0.1, 10.0,
-       "longest silence of the flight controller"},
-      {"max_deviation_m", &p.max_deviation_m, "m", 0.2, 5.0,
-       "farther than this from the flown trajectory: brake"},
-      {"brake_done_m_s", &p.brake_done_m_s, "m/s", 0.05, 1.0,
-       "below this speed a position is held"},
-      {"command_max_age_s", &p.command_max_age_s, "s", 0.1, 10.0, "older commands are refused"},
-      {"lease_s", &p.lease_s, "s", 1.0, 60.0,
-       "an operator's lease ends that long after it was last renewed"},
-      {"request_period_s", &p.request_period_s, "s", 0.1, 5.0,
-       "between requests to arm or to enter offboard mode"},
-      {"response_s", &p.response_s, "s", 0.0, 1.0,
-       "time in which the vehicle's tilt follows; accelerations are commanded so much ahead"},
-      {"start_on_launch", &p.start_on_launch, "", 0, 1, "track at once, without a start command"},
-  };
+GateState::GateState() {
+  for (PlannedTrajectory* plan : {&flown, &next}) {
+    plan->pieces.reserve(kMaxPieces);
+    plan->yaw.nodes.reserve(kMaxNodes);
+  }
 }
 
 GateResult gate(GateState& state, const GateInput& in, const SafetyParams& params) {
   if (state.idle_since_s < 0.0) state.idle_since_s = in.now_s;
-  take_command(state, in, params);
-  take_plan(state, in);
-
   GateResult r;
+  take_plan(state, in);
+  conduct(state, in, params, r);
   if (state.has_flown)
     r.deviation_m =
         (state.flown.position(in.now_s - state.flown.start_s) - in.vehicle.position_enu_m).norm();
@@ -179,40 +186,52 @@ GateResult gate(GateState& state, const GateInput& in, const SafetyParams& param
   if (mode == SafetyMode::kHover && !state.hover_enu_m) mode = SafetyMode::kBrake;
 
   r.heartbeat = mode != SafetyMode::kSilent;
-  r.request = choose_request(state, in, r, params);
+  state.heartbeat_since_s = r.heartbeat ? std::min(state.heartbeat_since_s, in.now_s) : 1e18;
   if (r.heartbeat && in.autopilot.offboard) {
     const bool flies = mode == SafetyMode::kTrack || mode == SafetyMode::kCoast;
-    r.setpoint = flies ? sample(state.flown, in.now_s, params.response_s)
-                       : stand_still(state, in.now_s, mode == SafetyMode::kBrake);
+    r.setpoint = flies ? sample(state.flown, in, params.response_s)
+                       : stand_still(state, in.stamp_now_s, mode == SafetyMode::kBrake);
   } else if (r.heartbeat) {
     reason = SafetyReason::kNotOffboard;
   }
   r.mode = mode;
   r.reason = reason;
-  r.phase = state.mission.phase;
-  r.command_result = state.last_result;
-  r.command_id = state.last_command.id;
-  r.plan_age_s = state.last_plan_s < 0.0 ? -1.0 : in.now_s - state.last_plan_s;
-  r.plan_id = state.has_flown ? state.flown.id : 0;
+  report(state, in, r);
   return r;
+}
+
+void restore(GateState& state, const GateMemory& memory, double now_s, const SafetyParams& params) {
+  state.mission = mission_of(memory, now_s, params.mission_rules());
+  state.memory = memory;
 }
 
 std::string_view to_string(SafetyMode mode) {
   constexpr std::array<std::string_view, 5> names = {"track", "coast", "hover", "brake", "silent"};
-  return names.at(static_cast<std::size_t>(mode));
+  return names[static_cast<std::size_t>(mode)];
 }
 std::string_view to_string(SafetyReason reason) {
-  constexpr std::array<std::string_view, 10> names = {"",
-                                                      "no plan yet",
-                                                      "no fresh plan",
-                                                      "the plan has ended",
-                                                      "the planner holds",
-                                                      "the vehicle is off its trajectory",
-                                                      "no vehicle state",
-                                                      "no word from the flight controller",
-                                                      "not in offboard mode",
-                                                      "an operator's order"};
-  return names.at(static_cast<std::size_t>(reason));
+  constexpr std::array<std::string_view, 20> names = {
+      "",
+      "no plan yet",
+      "no fresh plan",
+      "the plan has ended",
+      "the planner holds",
+      "the vehicle is off its trajectory",
+      "no vehicle state",
+      "no word from the flight controller",
+      "not in offboard mode",
+      "an operator's order",
+      "the odometry jumps",
+      "the odometry is frozen",
+      "the odometry disagrees with its own velocity",
+      "an obstacle is in the way",
+      "somebody is in the way",
+      "outside of the fence",
+      "outside of the altitudes",
+      "the battery is at its reserve",
+      "no word from the operator",
+      "the images are frozen, dark or covered"};
+  return names[static_cast<std::size_t>(reason)];
 }
 
 }  // namespace foretrack

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The safety gate: the only place from which setpoints leave. It flies checked trajectories and,
-// when they cease to come, steps down a ladder: track, coast, hover, brake, silent.
+// when they cease to come, steps down a ladder: track, coast, hover, brake, silent. It never takes
+// the vehicle: the flight controller is asked once for an operator's order.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
-#include "core/common/params.hpp"
+#include "core/common/battery_state.hpp"
+#include "core/common/grid_map.hpp"
+#include "core/common/moving_body.hpp"
 #include "core/common/trajectory.hpp"
 #include "core/common/vehicle.hpp"
-#include "core/safety/mission.hpp"
+#include "core/safety/safety_params.hpp"
+#include "core/safety/take_order.hpp"
 
 namespace foretrack {
 
@@ -33,48 +37,59 @@ enum class SafetyReason : std::uint8_t {
   kAutopilotStale,  // nothing heard from the flight controller
   kNotOffboard,     // another mode flies the vehicle
   kMission,         // an operator's order
+  kOdometryJumps,
+  kOdometryFrozen,     // it stands still while motion is commanded
+  kOdometryDisagrees,  // with its own velocity
+  kPlanBlocked,        // what is flown leads into what the map says now
+  kBodyNear,           // what is flown leads too near to somebody
+  kFence,
+  kAltitude,
+  kBattery,
+  kLink,    // no word from the operator
+  kImages,  // frozen, dark or covered
 };
 std::string_view to_string(SafetyMode mode);
 std::string_view to_string(SafetyReason reason);
 
-struct SafetyParams {
-  double plan_fresh_s = 0.25;
-  double hover_limit_s = 5.0;
-  double vehicle_stale_s = 0.3;
-  double autopilot_stale_s = 2.0;
-  double max_deviation_m = 1.0;
-  double brake_done_m_s = 0.2;
-  double command_max_age_s = 1.0;
-  double lease_s = 5.0;
-  double request_period_s = 0.5;
-  double response_s = 0.1;
-  bool start_on_launch = true;
-};
-ParamRows rows(SafetyParams& params);
-
+/// What has come, and when by the monotonic clock (-1: never). Pointers: null, nothing new came.
+/// Stamps are read from a clock that may be set at any time: they are compared with `stamp_now_s`
+/// only.
 struct GateInput {
-  double now_s = 0.0;
-  const PlannedTrajectory* plan = nullptr;  // the newest, or null if none came since the last call
+  double now_s = 0.0;                       // monotonic
+  double stamp_now_s = 0.0;                 // the same moment, as stamps have it
+  const PlannedTrajectory* plan = nullptr;  // the newest since the last call
   VehicleState vehicle;
+  double vehicle_at_s = -1.0;
   AutopilotStatus autopilot;
-  const MissionCommand* command = nullptr;  // null: none came
+  double autopilot_at_s = -1.0;
+  const AutopilotAck* ack = nullptr;
+  const MissionCommand* command = nullptr;
+  const GridMap* map = nullptr;  // the newest there is, new or not
+  double map_at_s = -1.0;
+  const MovingBodies* bodies = nullptr;  // the newest there are
+  double bodies_at_s = -1.0;
+  const BatteryState* battery = nullptr;  // the newest there is
+  double operator_at_s = -1.0;            // the operator's last heartbeat
+  MemoryWriting writing;
 };
 
 struct GateState {
-  PlannedTrajectory flown;  // from start_s on
+  GateState();
+
+  PlannedTrajectory flown;  // start_s is on the monotonic clock, as in next
   PlannedTrajectory next;   // waits for its start_s
   bool has_flown = false;
   bool has_next = false;
-  double last_plan_s = -1.0;  // when the last plan came
-  double hover_since_s = -1.0;
+  double last_plan_s = -1.0;   // when the last plan came
+  double last_fresh_s = -1e9;  // when the last one came that follows a target
   double idle_since_s = -1.0;  // since when no plan has come at all
+  double heartbeat_since_s = 1e18;
   std::optional<Vec3> hover_enu_m;
   double hover_yaw_rad = 0.0;
-  double last_request_s = -1e9;
   Mission mission;
-  MissionCommand last_command;
-  MissionResult last_result = MissionResult::kNone;
-  bool launched = false;
+  OrderState order;
+  CarryOut carrying;
+  GateMemory memory;
 };
 
 struct GateResult {
@@ -84,15 +99,22 @@ struct GateResult {
   bool heartbeat = false;            // offboard_control_mode may be published
   AutopilotRequest request = AutopilotRequest::kNone;
   MissionPhase phase = MissionPhase::kIdle;
+  MissionEnd end = MissionEnd::kNone;                // of the last mission, until the next order
+  AutopilotRequest asked = AutopilotRequest::kNone;  // the last request
+  CommandResult answer = CommandResult::kAccepted;   // to it
   MissionResult command_result = MissionResult::kNone;
   std::uint64_t command_id = 0;  // of the last command; 0: none yet
+  bool memory_changed = false;   // state.memory is to be written
   double plan_age_s = -1.0;      // < 0: no plan yet
   double deviation_m = 0.0;      // from the flown trajectory
   std::uint64_t plan_id = 0;     // that is flown
 };
 
-/// One tick (100 Hz). Precondition: now_s does not fall. Cost: a few microseconds, a copy of a plan
-/// when one comes.
+/// One tick (100 Hz). Precondition: now_s does not fall. Allocates nothing, throws nothing. Cost: a
+/// few microseconds, a copy of a plan when one comes.
 GateResult gate(GateState& state, const GateInput& input, const SafetyParams& params);
+
+/// Before the first tick after a restart: what the memory says. Nothing is resumed.
+void restore(GateState& state, const GateMemory& memory, double now_s, const SafetyParams& params);
 
 }  // namespace foretrack

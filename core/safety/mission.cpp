@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/safety/mission.hpp"
 
-#include <array>
-
 namespace foretrack {
 namespace {
 
 bool is_allowed(MissionOrder order, MissionPhase phase) {
   switch (order) {
     case MissionOrder::kStart:
+    case MissionOrder::kTakeOff:
       return phase == MissionPhase::kIdle || phase == MissionPhase::kStopped;
     case MissionOrder::kHold:
-      return phase == MissionPhase::kTracking || phase == MissionPhase::kReturning;
+      return phase == MissionPhase::kTracking || phase == MissionPhase::kReturning ||
+             phase == MissionPhase::kTakingOff;
     case MissionOrder::kResume:
       return phase == MissionPhase::kHolding;
     case MissionOrder::kReturn:
-    case MissionOrder::kLand:
       return phase != MissionPhase::kLanding;
+    case MissionOrder::kLand:
     case MissionOrder::kStop:
     case MissionOrder::kLease:
     case MissionOrder::kRelease:
-      return true;
+    case MissionOrder::kSetBounds:
+      break;
   }
-  return false;
+  return true;
 }
 
-MissionPhase phase_after(MissionOrder order, MissionPhase phase) {
+MissionPhase phase_after(MissionOrder order, const Mission& mission) {
   switch (order) {
     case MissionOrder::kStart:
     case MissionOrder::kResume:
-      return MissionPhase::kTracking;
+      return mission.engaged ? MissionPhase::kTracking : MissionPhase::kStarting;
     case MissionOrder::kHold:
       return MissionPhase::kHolding;
     case MissionOrder::kReturn:
@@ -38,64 +39,128 @@ MissionPhase phase_after(MissionOrder order, MissionPhase phase) {
       return MissionPhase::kLanding;
     case MissionOrder::kStop:
       return MissionPhase::kStopped;
+    case MissionOrder::kTakeOff:
+      return MissionPhase::kTakingOff;
     case MissionOrder::kLease:
     case MissionOrder::kRelease:
+    case MissionOrder::kSetBounds:
       break;
   }
-  return phase;
+  return mission.phase;
 }
 
-// A lease without a secret would be anybody's.
-bool is_foreign(const MissionCommand& command, const MissionLease& lease, double now_s) {
-  if (command.order == MissionOrder::kLease && command.lease_id.empty()) return true;
-  return lease.is_held(now_s) && command.lease_id != lease.id;
+MissionResult judge_time(const MissionCommand& command, const Mission& mission,
+                         const Moment& moment, const MissionRules& rules) {
+  const OrderMark mark{command.stamp_s, command.id};
+  if (!(command.stamp_s <= moment.stamp_now_s + rules.future_s))
+    return MissionResult::kRefusedFuture;
+  if (moment.stamp_now_s - command.stamp_s > rules.max_age_s) return MissionResult::kRefusedLate;
+  return mark > mission.last_order ? MissionResult::kAccepted : MissionResult::kRefusedRepeated;
 }
 
-MissionResult judge(const MissionCommand& command, const Mission& mission, double now_s,
+MissionResult judge_sender(const MissionCommand& command, const Mission& mission,
+                           const Moment& moment) {
+  const bool held = mission.lease.is_held(moment.now_s);
+  if (held && command.lease_id != mission.lease.id) return MissionResult::kRefusedForeign;
+  if (command.order == MissionOrder::kLease && command.lease_id.empty())
+    return MissionResult::kRefusedUnproved;  // it would be anybody's
+  const bool needs_proof = held || command.order == MissionOrder::kLease;
+  return needs_proof && !command.proved ? MissionResult::kRefusedUnproved
+                                        : MissionResult::kAccepted;
+}
+
+MissionResult judge(const MissionCommand& command, const Mission& mission, const Moment& moment,
                     const MissionRules& rules) {
   if (command.order == MissionOrder::kStop) return MissionResult::kAccepted;
-  if (command.id <= mission.last_id) return MissionResult::kRefusedRepeated;
-  if (now_s - command.stamp_s > rules.max_age_s) return MissionResult::kRefusedLate;
-  if (is_foreign(command, mission.lease, now_s)) return MissionResult::kRefusedForeign;
-  if (!is_allowed(command.order, mission.phase)) return MissionResult::kRefusedPhase;
-  return MissionResult::kAccepted;
+  if (command.order != MissionOrder::kLand)
+    if (const auto time = judge_time(command, mission, moment, rules);
+        time != MissionResult::kAccepted)
+      return time;
+  return judge_sender(command, mission, moment);
+}
+
+void execute(const MissionCommand& command, Mission& mission, const Moment& moment,
+             const MissionRules& rules) {
+  mission.phase = phase_after(command.order, mission);
+  if (command.order == MissionOrder::kLease)
+    mission.lease = {command.lease_id, command.operator_name, moment.now_s + rules.lease_s};
+  if (command.order == MissionOrder::kRelease) mission.lease = {};
+  if (command.order == MissionOrder::kSetBounds) mission.bounds = command.bounds;
+}
+
+// Nobody judges the stamps of stop and land: what was given before they came is over.
+OrderMark mark_of(const MissionCommand& command, const Moment& moment) {
+  const bool judged = command.order != MissionOrder::kStop && command.order != MissionOrder::kLand;
+  return {judged ? command.stamp_s : moment.stamp_now_s, command.id};
 }
 
 }  // namespace
 
-MissionResult apply(const MissionCommand& command, Mission& mission, double now_s,
+MissionResult apply(const MissionCommand& command, Mission& mission, const Moment& moment,
                     const MissionRules& rules) {
-  const MissionResult result = judge(command, mission, now_s, rules);
-  const bool is_theirs =
-      result == MissionResult::kAccepted || result == MissionResult::kRefusedPhase;
-  // The ids of strangers and of the past must not make the holder's next one look repeated.
-  if (is_theirs && command.id > mission.last_id) mission.last_id = command.id;
+  // Our clock was set back: what it said before tells nothing.
+  if (mission.last_order.stamp_s > moment.stamp_now_s + rules.future_s) mission.last_order = {};
+  const MissionResult result = judge(command, mission, moment, rules);
+  // What strangers say, and what is too old, must not make the holder's next order look repeated.
   if (result != MissionResult::kAccepted) return result;
-  mission.phase = phase_after(command.order, mission.phase);
-  if (command.order == MissionOrder::kLease)
-    mission.lease = {command.lease_id, command.operator_name, now_s + rules.lease_s};
-  if (command.order == MissionOrder::kRelease) mission.lease = {};
-  return result;
+  if (const OrderMark mark = mark_of(command, moment); mark > mission.last_order)
+    mission.last_order = mark;
+  if (!is_allowed(command.order, mission.phase)) return MissionResult::kRefusedPhase;
+  if (command.order == MissionOrder::kSetBounds && !are_valid(command.bounds))
+    return MissionResult::kRefusedBounds;
+  execute(command, mission, moment, rules);
+  return MissionResult::kAccepted;
+}
+
+bool needs_memory(MissionOrder order) {
+  switch (order) {
+    case MissionOrder::kStart:
+    case MissionOrder::kResume:
+    case MissionOrder::kTakeOff:
+    case MissionOrder::kLease:
+    case MissionOrder::kSetBounds:
+      return true;
+    case MissionOrder::kHold:
+    case MissionOrder::kReturn:
+    case MissionOrder::kLand:
+    case MissionOrder::kStop:
+    case MissionOrder::kRelease:
+      break;
+  }
+  return false;
+}
+
+bool is_active(MissionPhase phase) {
+  return phase == MissionPhase::kStarting || phase == MissionPhase::kTracking ||
+         phase == MissionPhase::kTakingOff;
 }
 
 std::string_view to_string(MissionOrder order) {
-  constexpr std::array<std::string_view, 8> names = {"start", "hold", "resume", "return",
-                                                     "land",  "stop", "lease",  "release"};
-  return names.at(static_cast<std::size_t>(order));
+  constexpr std::array<std::string_view, 10> names = {"start",    "hold",      "resume", "return",
+                                                      "land",     "stop",      "lease",  "release",
+                                                      "take_off", "set_bounds"};
+  return names[static_cast<std::size_t>(order)];
 }
 std::string_view to_string(MissionPhase phase) {
-  constexpr std::array<std::string_view, 6> names = {"idle",      "tracking", "holding",
-                                                     "returning", "landing",  "stopped"};
-  return names.at(static_cast<std::size_t>(phase));
+  constexpr std::array<std::string_view, 8> names = {
+      "idle", "tracking", "holding", "returning", "landing", "stopped", "starting", "taking off"};
+  return names[static_cast<std::size_t>(phase)];
 }
 std::string_view to_string(MissionResult result) {
-  constexpr std::array<std::string_view, 6> names = {"none",
-                                                     "accepted",
-                                                     "refused: too late",
-                                                     "refused: repeated",
-                                                     "refused: not in this phase",
-                                                     "refused: somebody else has the lease"};
-  return names.at(static_cast<std::size_t>(result));
+  constexpr std::array<std::string_view, 12> names = {
+      "none",
+      "accepted",
+      "refused: too late",
+      "refused: repeated",
+      "refused: not in this phase",
+      "refused: somebody else has the lease",
+      "refused: stamped in the future",
+      "refused: no proof that it comes from the lease's holder",
+      "refused: it cannot be written, and would be forgotten in a restart",
+      "refused: these are no bounds",
+      "acts, and is being written",
+      "accepted, but a restart would forget it"};
+  return names[static_cast<std::size_t>(result)];
 }
 
 }  // namespace foretrack

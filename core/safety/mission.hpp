@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator may order, and what the gate asks of the flight controller.
+// What an operator may order, who may order it, and where the mission stands.
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
+
+#include "core/safety/flight_bounds.hpp"
+#include "core/safety/short_text.hpp"
 
 namespace foretrack {
 
 enum class MissionOrder : std::uint8_t {
-  kStart,
+  kStart,  // follow; asks the flight controller for arming and offboard mode where needed
   kHold,
   kResume,
   kReturn,
@@ -17,22 +19,26 @@ enum class MissionOrder : std::uint8_t {
   kStop,
   kLease,    // take the vehicle, or keep it
   kRelease,  // give it back
+  kTakeOff,  // by the flight controller, which then holds
+  kSetBounds,
 };
 
 struct MissionCommand {
-  std::uint64_t id = 0;  // grows; an id that was seen before is ignored
+  std::uint64_t id = 0;  // orders of one stamp: the later has the higher one
   double stamp_s = 0.0;  // when it was given
   MissionOrder order = MissionOrder::kStart;
-  std::string operator_name = {};  // who gave it
-  std::string lease_id = {};       // known to its holder alone
+  ShortText operator_name = {};  // who gave it
+  ShortText lease_id = {};       // the lease under which it is given
+  bool proved = false;           // the caller saw the proof that it comes from that lease's holder
+  FlightBounds bounds = {};      // of kSetBounds
 };
 
 /// Who may give orders. It runs out unless its holder renews it, so that a vehicle whose operator
 /// is gone can be taken over.
 struct MissionLease {
-  std::string id;  // empty: nobody holds it
-  std::string operator_name;
-  double until_s = -1e9;
+  ShortText id;  // empty: nobody holds it
+  ShortText operator_name;
+  double until_s = -1e9;  // monotonic clock
 
   bool is_held(double now_s) const { return !id.empty() && now_s < until_s; }
 };
@@ -42,9 +48,11 @@ enum class MissionPhase : std::uint8_t {
   kIdle,
   kTracking,
   kHolding,
-  kReturning,
+  kReturning,  // the flight controller does, as in landing and take-off
   kLanding,
-  kStopped
+  kStopped,
+  kStarting,  // waits for target, map and plan, then for the flight controller's consent
+  kTakingOff,
 };
 
 enum class MissionResult : std::uint8_t {
@@ -53,10 +61,14 @@ enum class MissionResult : std::uint8_t {
   kRefusedLate,
   kRefusedRepeated,
   kRefusedPhase,
-  kRefusedForeign  // somebody else holds the lease
+  kRefusedForeign,  // somebody else holds the lease
+  kRefusedFuture,   // stamped ahead of our clock
+  kRefusedUnproved,
+  kRefusedUnwritten,   // it must outlive a restart, and could not be written
+  kRefusedBounds,      // they are no bounds
+  kPending,            // acts already, and is being written
+  kAcceptedUnwritten,  // acts, and would not outlive a restart
 };
-
-enum class AutopilotRequest : std::uint8_t { kNone, kArm, kOffboard, kReturn, kLand };
 
 std::string_view to_string(MissionOrder order);
 std::string_view to_string(MissionPhase phase);
@@ -64,20 +76,50 @@ std::string_view to_string(MissionResult result);
 
 struct MissionRules {
   double max_age_s = 1.0;  // older commands are refused
+  double future_s = 0.5;   // so are those stamped farther ahead
   double lease_s = 5.0;    // a lease lasts that long unless it is renewed
+};
+
+/// The same moment on both clocks: ours, which never jumps, and that of stamps.
+struct Moment {
+  double now_s = 0.0;        // monotonic
+  double stamp_now_s = 0.0;  // the clock that stamps are read from; may be set at any time
+};
+
+/// An order's place among all: by stamp, and by id among those of one stamp. So an id that is too
+/// high, and a station that counts anew, lock nobody out.
+struct OrderMark {
+  double stamp_s = -1e18;
+  std::uint64_t id = 0;
+  friend auto operator<=>(const OrderMark&, const OrderMark&) = default;
 };
 
 /// The mission as commands find it.
 struct Mission {
   MissionPhase phase = MissionPhase::kIdle;
-  MissionLease lease;
-  std::uint64_t last_id = 0;  // the highest that was seen
+  bool engaged = false;  // the flight controller has let us fly, and has not taken it back
+  MissionLease lease = {};
+  OrderMark last_order = {};
+  FlightBounds bounds = {};
 };
 
-/// Applies the command and says whether it was taken. Stop is always taken, however late and from
-/// whomever; a stopped mission takes only start, return and land. While somebody holds the lease,
-/// orders of others are refused; while nobody does, anybody may order.
-MissionResult apply(const MissionCommand& command, Mission& mission, double now_s,
+/// Applies the command and says whether it was taken.
+/// Stop is taken from anybody, always. Land is never refused for its id, age or phase, and return
+/// only while landing: both from the lease's holder, or from anybody while nobody holds one. The
+/// rest must also be newer than what came before, and fit the phase.
+MissionResult apply(const MissionCommand& command, Mission& mission, const Moment& moment,
                     const MissionRules& rules);
+
+/// It acts; whether it would outlive a restart is another question.
+constexpr bool is_accepted(MissionResult result) {
+  return result == MissionResult::kAccepted || result == MissionResult::kPending ||
+         result == MissionResult::kAcceptedUnwritten;
+}
+
+/// Must outlive a restart, so that it is refused when it cannot be written.
+bool needs_memory(MissionOrder order);
+
+/// The phases in which setpoints may be flown, or will be.
+bool is_active(MissionPhase phase);
 
 }  // namespace foretrack

@@ -22,10 +22,17 @@ bool is_alive(const Autopilot& autopilot, double now_s) {
   return now_s - autopilot.heartbeat_last_s <= autopilot.params.heartbeat_timeout_s;
 }
 
+FlightMode named(AutopilotMode mode) {
+  constexpr FlightMode modes[] = {FlightMode::kHold, FlightMode::kOffboard, FlightMode::kReturn,
+                                  FlightMode::kLand};
+  return modes[static_cast<int>(mode)];
+}
+
 // Velocity zero first; a place to hold once nearly still.
 void enter(Autopilot& autopilot, AutopilotMode mode, const VehicleState& vehicle) {
   autopilot.mode = mode;
   autopilot.status.offboard = mode == AutopilotMode::kOffboard;
+  autopilot.status.mode = named(mode);
   autopilot.setpoint = Setpoint{};
   autopilot.setpoint.position_enu_m.setConstant(kNaN);
   autopilot.setpoint.yaw_rad = vehicle.yaw_rad();
@@ -71,7 +78,7 @@ void return_home(Autopilot& autopilot, const VehicleState& vehicle, double dt_s)
 
 Autopilot make_autopilot(const AutopilotParams& params, const VehicleState& vehicle) {
   Autopilot autopilot{.params = params, .status = {}, .setpoint = {}};
-  autopilot.status = {.stamp_s = vehicle.stamp_s, .armed = true};
+  autopilot.status = {.stamp_s = vehicle.stamp_s, .armed = true, .mode = FlightMode::kHold};
   autopilot.home_enu_m = vehicle.position_enu_m;
   autopilot.setpoint.position_enu_m = vehicle.position_enu_m;
   autopilot.setpoint.yaw_rad = vehicle.yaw_rad();

@@ -49,8 +49,17 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
     out.planned = true;
     fresh = &out.plan->trajectory;
   }
-  out.gate = gate(state.gate, {input.now_s, fresh, input.vehicle, input.autopilot, input.command},
-                  params.safety);
+  GateInput in;
+  in.now_s = in.stamp_now_s = input.now_s;
+  in.plan = fresh;
+  in.vehicle = input.vehicle;
+  in.vehicle_at_s = input.vehicle.stamp_s;
+  in.autopilot = input.autopilot;
+  in.autopilot_at_s = input.autopilot.stamp_s;
+  in.command = input.command;
+  in.map = out.map;
+  in.map_at_s = input.now_s;
+  out.gate = gate(state.gate, in, params.safety);
   return out;
 }
 

@@ -18,6 +18,10 @@ namespace vehicle = msg::VehicleStatus_Constants;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kCustomModeEnabled = 1.0f;  // of VEHICLE_CMD_DO_SET_MODE
 constexpr float kOffboardMainMode = 6.0f;   // PX4_CUSTOM_MAIN_MODE_OFFBOARD
+constexpr float kAutoMainMode = 4.0f;       // PX4_CUSTOM_MAIN_MODE_AUTO
+constexpr float kLoiterSubMode = 3.0f;      // PX4_CUSTOM_SUB_MODE_AUTO_LOITER
+// Of VehicleStatus.nav_state, PX4 1.16: other ways in which a pilot flies.
+constexpr std::uint8_t kPositionSlow = 6, kAltitudeCruise = 8, kAcro = 10, kStabilized = 15;
 constexpr std::uint8_t kAutopilotComponent = 1;
 constexpr double kMaxStamp_s = 1e10;
 
@@ -39,6 +43,56 @@ Vec3 from_ned(const std::array<float, 3>& ned) {
 void no_infinities(Checks& checks, std::string_view field, const std::array<float, 3>& values) {
   for (const float v : values)
     if (std::isinf(v)) checks.fail(field, std::to_string(v), "a number or NaN");
+}
+
+FlightMode mode_of(std::uint8_t nav_state) {
+  switch (nav_state) {
+    case vehicle::NAVIGATION_STATE_OFFBOARD:
+      return FlightMode::kOffboard;
+    case vehicle::NAVIGATION_STATE_AUTO_LOITER:
+      return FlightMode::kHold;
+    case vehicle::NAVIGATION_STATE_AUTO_TAKEOFF:
+      return FlightMode::kTakeOff;
+    case vehicle::NAVIGATION_STATE_AUTO_RTL:
+      return FlightMode::kReturn;
+    case vehicle::NAVIGATION_STATE_AUTO_LAND:
+      return FlightMode::kLand;
+    case vehicle::NAVIGATION_STATE_TERMINATION:
+      return FlightMode::kTermination;
+    case vehicle::NAVIGATION_STATE_MANUAL:
+    case vehicle::NAVIGATION_STATE_ALTCTL:
+    case vehicle::NAVIGATION_STATE_POSCTL:
+    case kPositionSlow:
+    case kAltitudeCruise:
+    case kAcro:
+    case kStabilized:
+      return FlightMode::kPilot;
+    default:
+      return FlightMode::kOther;
+  }
+}
+
+std::uint8_t nav_state_of(const AutopilotStatus& status) {
+  switch (status.mode) {
+    case FlightMode::kPilot:
+      return vehicle::NAVIGATION_STATE_POSCTL;
+    case FlightMode::kTakeOff:
+      return vehicle::NAVIGATION_STATE_AUTO_TAKEOFF;
+    case FlightMode::kReturn:
+      return vehicle::NAVIGATION_STATE_AUTO_RTL;
+    case FlightMode::kLand:
+      return vehicle::NAVIGATION_STATE_AUTO_LAND;
+    case FlightMode::kTermination:
+      return vehicle::NAVIGATION_STATE_TERMINATION;
+    case FlightMode::kOther:
+      return vehicle::NAVIGATION_STATE_AUTO_MISSION;
+    case FlightMode::kUnknown:
+    case FlightMode::kOffboard:
+    case FlightMode::kHold:
+      break;
+  }
+  return status.offboard ? vehicle::NAVIGATION_STATE_OFFBOARD
+                         : vehicle::NAVIGATION_STATE_AUTO_LOITER;
 }
 
 Quat quaternion(const std::array<float, 4>& wxyz) {
@@ -122,9 +176,9 @@ Converted<VehicleState> from_idl(const msg::VehicleOdometry& in) {
 void to_idl(const AutopilotStatus& in, msg::VehicleStatus& out) {
   out.timestamp(microseconds(in.stamp_s));
   out.arming_state(in.armed ? vehicle::ARMING_STATE_ARMED : vehicle::ARMING_STATE_DISARMED);
-  out.nav_state(in.offboard ? vehicle::NAVIGATION_STATE_OFFBOARD
-                            : vehicle::NAVIGATION_STATE_AUTO_LOITER);
+  out.nav_state(nav_state_of(in));
   out.failsafe(in.failsafe);
+  out.failsafe_and_user_took_over(in.user_took_over);
   out.pre_flight_checks_pass(true);
 }
 
@@ -135,7 +189,9 @@ Converted<AutopilotStatus> from_idl(const msg::VehicleStatus& in) {
   checks.enumerator("arming_state", in.arming_state(), vehicle::ARMING_STATE_ARMED);
   out.armed = in.arming_state() == vehicle::ARMING_STATE_ARMED;
   out.offboard = in.nav_state() == vehicle::NAVIGATION_STATE_OFFBOARD;
+  out.mode = mode_of(in.nav_state());
   out.failsafe = in.failsafe();
+  out.user_took_over = in.failsafe_and_user_took_over();
   return checks.result(out);
 }
 
@@ -184,8 +240,29 @@ void to_idl(AutopilotRequest request, double stamp_s, msg::VehicleCommand& out) 
     case AutopilotRequest::kLand:
       out.command(command::VEHICLE_CMD_NAV_LAND);
       break;
+    case AutopilotRequest::kTakeOff:
+      out.command(command::VEHICLE_CMD_NAV_TAKEOFF);
+      out.param7(kNaN);  // as high as it takes off by itself
+      break;
+    case AutopilotRequest::kHold:
+      out.command(command::VEHICLE_CMD_DO_SET_MODE);
+      out.param1(kCustomModeEnabled);
+      out.param2(kAutoMainMode);
+      out.param3(kLoiterSubMode);
+      break;
   }
 }
+
+namespace {
+
+AutopilotRequest read_mode(Checks& checks, const msg::VehicleCommand& in) {
+  if (in.param2() == kOffboardMainMode) return AutopilotRequest::kOffboard;
+  if (in.param2() != kAutoMainMode || in.param3() != kLoiterSubMode)
+    checks.fail("param2", std::to_string(in.param2()), "6 (offboard), or 4 with 3 (hold)");
+  return AutopilotRequest::kHold;
+}
+
+}  // namespace
 
 Converted<AutopilotRequest> from_idl(const msg::VehicleCommand& in) {
   Checks checks;
@@ -197,9 +274,7 @@ Converted<AutopilotRequest> from_idl(const msg::VehicleCommand& in) {
       out = AutopilotRequest::kArm;
       break;
     case command::VEHICLE_CMD_DO_SET_MODE:
-      if (in.param2() != kOffboardMainMode)
-        checks.fail("param2", std::to_string(in.param2()), "6 (offboard)");
-      out = AutopilotRequest::kOffboard;
+      out = read_mode(checks, in);
       break;
     case command::VEHICLE_CMD_NAV_RETURN_TO_LAUNCH:
       out = AutopilotRequest::kReturn;
@@ -207,8 +282,11 @@ Converted<AutopilotRequest> from_idl(const msg::VehicleCommand& in) {
     case command::VEHICLE_CMD_NAV_LAND:
       out = AutopilotRequest::kLand;
       break;
+    case command::VEHICLE_CMD_NAV_TAKEOFF:
+      out = AutopilotRequest::kTakeOff;
+      break;
     default:
-      checks.fail("command", std::to_string(in.command()), "20, 21, 176 or 400");
+      checks.fail("command", std::to_string(in.command()), "20, 21, 22, 176 or 400");
   }
   return checks.result(out);
 }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/common/vehicle.hpp"
-#include "core/safety/mission.hpp"
+#include "core/safety/autopilot_watch.hpp"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"

@@ -21,6 +21,8 @@ static_assert(o::COMMAND_LAND == int(MissionOrder::kLand));
 static_assert(o::COMMAND_STOP == int(MissionOrder::kStop));
 static_assert(o::COMMAND_LEASE == int(MissionOrder::kLease));
 static_assert(o::COMMAND_RELEASE == int(MissionOrder::kRelease));
+static_assert(o::COMMAND_TAKE_OFF == int(MissionOrder::kTakeOff));
+static_assert(o::COMMAND_SET_BOUNDS == int(MissionOrder::kSetBounds));
 static_assert(s::MODE_TRACK == int(SafetyMode::kTrack));
 static_assert(s::MODE_COAST == int(SafetyMode::kCoast));
 static_assert(s::MODE_HOVER == int(SafetyMode::kHover));
@@ -36,23 +38,43 @@ static_assert(s::REASON_VEHICLE_STALE == int(SafetyReason::kVehicleStale));
 static_assert(s::REASON_AUTOPILOT_STALE == int(SafetyReason::kAutopilotStale));
 static_assert(s::REASON_NOT_OFFBOARD == int(SafetyReason::kNotOffboard));
 static_assert(s::REASON_MISSION == int(SafetyReason::kMission));
+static_assert(s::REASON_ODOMETRY_JUMPS == int(SafetyReason::kOdometryJumps));
+static_assert(s::REASON_ODOMETRY_FROZEN == int(SafetyReason::kOdometryFrozen));
+static_assert(s::REASON_ODOMETRY_DISAGREES == int(SafetyReason::kOdometryDisagrees));
+static_assert(s::REASON_PLAN_BLOCKED == int(SafetyReason::kPlanBlocked));
+static_assert(s::REASON_BODY_NEAR == int(SafetyReason::kBodyNear));
+static_assert(s::REASON_FENCE == int(SafetyReason::kFence));
+static_assert(s::REASON_ALTITUDE == int(SafetyReason::kAltitude));
+static_assert(s::REASON_BATTERY == int(SafetyReason::kBattery));
+static_assert(s::REASON_LINK == int(SafetyReason::kLink));
+static_assert(s::REASON_IMAGES == int(SafetyReason::kImages));
 static_assert(s::PHASE_IDLE == int(MissionPhase::kIdle));
 static_assert(s::PHASE_TRACKING == int(MissionPhase::kTracking));
 static_assert(s::PHASE_HOLDING == int(MissionPhase::kHolding));
 static_assert(s::PHASE_RETURNING == int(MissionPhase::kReturning));
 static_assert(s::PHASE_LANDING == int(MissionPhase::kLanding));
 static_assert(s::PHASE_STOPPED == int(MissionPhase::kStopped));
+static_assert(s::PHASE_STARTING == int(MissionPhase::kStarting));
+static_assert(s::PHASE_TAKING_OFF == int(MissionPhase::kTakingOff));
 static_assert(s::REQUEST_NONE == int(AutopilotRequest::kNone));
 static_assert(s::REQUEST_ARM == int(AutopilotRequest::kArm));
 static_assert(s::REQUEST_OFFBOARD == int(AutopilotRequest::kOffboard));
 static_assert(s::REQUEST_RETURN == int(AutopilotRequest::kReturn));
 static_assert(s::REQUEST_LAND == int(AutopilotRequest::kLand));
+static_assert(s::REQUEST_TAKE_OFF == int(AutopilotRequest::kTakeOff));
+static_assert(s::REQUEST_HOLD == int(AutopilotRequest::kHold));
 static_assert(s::RESULT_NONE == int(MissionResult::kNone));
 static_assert(s::RESULT_ACCEPTED == int(MissionResult::kAccepted));
 static_assert(s::RESULT_REFUSED_LATE == int(MissionResult::kRefusedLate));
 static_assert(s::RESULT_REFUSED_REPEATED == int(MissionResult::kRefusedRepeated));
 static_assert(s::RESULT_REFUSED_PHASE == int(MissionResult::kRefusedPhase));
 static_assert(s::RESULT_REFUSED_FOREIGN == int(MissionResult::kRefusedForeign));
+static_assert(s::RESULT_REFUSED_FUTURE == int(MissionResult::kRefusedFuture));
+static_assert(s::RESULT_REFUSED_UNPROVED == int(MissionResult::kRefusedUnproved));
+static_assert(s::RESULT_REFUSED_UNWRITTEN == int(MissionResult::kRefusedUnwritten));
+static_assert(s::RESULT_REFUSED_BOUNDS == int(MissionResult::kRefusedBounds));
+static_assert(s::RESULT_PENDING == int(MissionResult::kPending));
+static_assert(s::RESULT_ACCEPTED_UNWRITTEN == int(MissionResult::kAcceptedUnwritten));
 
 void set_setpoint(const GateReport& in, msg::SafetyState& out) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -98,20 +120,22 @@ void to_idl(const MissionCommand& in, msg::MissionCommand& out) {
   set_header(out.header(), in.stamp_s);
   out.id(in.id);
   out.command(static_cast<std::uint8_t>(in.order));
-  out.operator_id(in.operator_name);
-  out.lease_id(in.lease_id);
+  out.operator_id(std::string(in.operator_name.view()));
+  out.lease_id(std::string(in.lease_id.view()));
 }
 
 Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   Checks checks;
   checks.stamp("header.stamp", in.header().stamp());
-  checks.enumerator("command", in.command(), o::COMMAND_RELEASE);
+  checks.enumerator("command", in.command(), o::COMMAND_TAKE_OFF);
   if (in.id() == 0) checks.fail("id", "0", "1 or more");
   return checks.result(MissionCommand{.id = in.id(),
                                       .stamp_s = seconds(in.header().stamp()),
                                       .order = static_cast<MissionOrder>(in.command()),
                                       .operator_name = in.operator_id().c_str(),
-                                      .lease_id = in.lease_id().c_str()});
+                                      .lease_id = in.lease_id().c_str(),
+                                      // Only its holder knows the lease's name.
+                                      .proved = !in.lease_id().empty()});
 }
 
 constexpr std::size_t kTextBytes = 256;  // as the IDL bounds it
@@ -150,11 +174,11 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   check_header(checks, in.header());
   checks.stamp("caused_by", in.caused_by());
   checks.enumerator("mode", in.mode(), s::MODE_SILENT);
-  checks.enumerator("reason", in.reason(), s::REASON_MISSION);
-  checks.enumerator("phase", in.phase(), s::PHASE_STOPPED);
-  checks.enumerator("request", in.request(), s::REQUEST_LAND);
-  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_FOREIGN);
-  checks.enumerator("command", in.command(), o::COMMAND_RELEASE);
+  checks.enumerator("reason", in.reason(), s::REASON_IMAGES);
+  checks.enumerator("phase", in.phase(), s::PHASE_TAKING_OFF);
+  checks.enumerator("request", in.request(), s::REQUEST_HOLD);
+  checks.enumerator("command_result", in.command_result(), s::RESULT_ACCEPTED_UNWRITTEN);
+  checks.enumerator("command", in.command(), o::COMMAND_SET_BOUNDS);
   checks.within("lease_remaining_s", in.lease_remaining_s(), 1e10);
   checks.within("plan_age_s", in.plan_age_s(), 1e10);
   checks.within("deviation_m", in.deviation_m(), limits::kPosition_m);

@@ -70,6 +70,7 @@ void SimulatorService::take_commands(AutopilotInput& input) {
         if (request == AutopilotRequest::kOffboard) input.mode = AutopilotMode::kOffboard;
         if (request == AutopilotRequest::kReturn) input.mode = AutopilotMode::kReturn;
         if (request == AutopilotRequest::kLand) input.mode = AutopilotMode::kLand;
+        if (request == AutopilotRequest::kHold) input.mode = AutopilotMode::kHold;
       });
 }
 

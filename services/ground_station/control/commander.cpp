@@ -70,18 +70,19 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   if (vehicle.delivery)
     vehicle.delivery->gate = {now_s, to_seconds(state.header().stamp()),
                               state.phase() == static_cast<std::uint8_t>(MissionPhase::kStopped)};
-  if (state.command() > static_cast<std::uint8_t>(MissionOrder::kRelease) ||
-      state.command_result() > static_cast<std::uint8_t>(MissionResult::kRefusedForeign))
+  if (state.command() > static_cast<std::uint8_t>(MissionOrder::kSetBounds) ||
+      state.command_result() > static_cast<std::uint8_t>(MissionResult::kAcceptedUnwritten))
     return;
   const auto order = static_cast<MissionOrder>(state.command());
   const auto result = static_cast<MissionResult>(state.command_result());
+  if (result == MissionResult::kPending) return;  // the vehicle is writing it down
   if (!is_about_lease(order) && state.command_id() != 0) {
-    const bool ok = result == MissionResult::kAccepted;
+    const bool ok = is_accepted(result);
     mission.command_id = state.command_id();
     mission.command = to_string(order);
     mission.operator_name = state.operator_id().c_str();
     mission.result = ok ? "accepted" : "refused";
-    mission.reason = ok ? "" : to_string(result);
+    mission.reason = result == MissionResult::kAccepted ? "" : to_string(result);
   }
   if (vehicle.delivery) vehicle.delivery->settle(state.command_id(), result);
 }

@@ -70,7 +70,7 @@ void Delivery::settle(std::uint64_t command_id, MissionResult result) {
     const bool answered = std::find(p.sent.begin(), p.sent.end(), command_id) != p.sent.end();
     if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && gate.stopped))
       return false;
-    const bool ok = !answered || result == MissionResult::kAccepted;
+    const bool ok = !answered || is_accepted(result);
     gave_up_.reset();
     if (!p.report) return true;
     done.emplace_back(std::move(p.report), Outcome{ok, ok ? "" : std::string(to_string(result))});

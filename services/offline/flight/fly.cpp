@@ -2,6 +2,7 @@
 #include "services/offline/flight/fly.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "services/common/time_now.hpp"
 #include "services/files/share/share.hpp"
@@ -62,6 +63,10 @@ AutopilotInput command_of(const GateResult& gate) {
   command.setpoint = gate.setpoint;
   switch (gate.request) {
     case AutopilotRequest::kNone:
+    case AutopilotRequest::kTakeOff:  // the simulated vehicle begins in the air
+      break;
+    case AutopilotRequest::kHold:
+      command.mode = AutopilotMode::kHold;
       break;
     case AutopilotRequest::kArm:
       command.arm = true;
@@ -88,6 +93,7 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                                   static_cast<PoseModel>(params.perception.model_complexity)),
                 params.perception, scenario.landmark_camera.delay_s);
   FlightRow last;
+  bool started = false;
   const Pilot pilot = [&](PilotStep s) {
     TrackerInput input{.now_s = s.simulator.now_s,
                        .vehicle = s.simulator.vehicle,
@@ -100,6 +106,9 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
       input.observation = &seen->observation;
       input.torso_depth_m = seen->torso_depth_m;
     }
+    const MissionCommand start{
+        .id = 1, .stamp_s = s.simulator.now_s, .order = MissionOrder::kStart};
+    if (!std::exchange(started, true)) input.command = &start;
     const double begin_ms = cpu_ms();  // other flights run beside this one
     const TrackerOutput out = step(tracker, input, params);
     if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);

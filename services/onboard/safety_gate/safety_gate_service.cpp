@@ -51,11 +51,20 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
 
 void SafetyGateService::tick() {
   const double now_s = service_.clock().now_s();
+  const double ticks_s = service_.clock().simulated() ? now_s : service_.clock().steady_s();
+  if (ticks_s < ticked_s_) state_ = GateState();  // a simulation was started anew
+  ticked_s_ = ticks_s;
+  start_simulation(now_s);
   GateInput in;
-  in.now_s = now_s;
+  in.now_s = ticks_s;
+  in.stamp_now_s = now_s;
+  const auto arrival = [&](double stamp_s) { return ticks_s - std::max(now_s - stamp_s, 0.0); };
   in.autopilot = autopilot_;
-  in.vehicle.stamp_s = -1e9;
-  if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
+  if (autopilot_.stamp_s >= 0.0) in.autopilot_at_s = arrival(autopilot_.stamp_s);
+  if (const VehicleState* vehicle = vehicle_.newest()) {
+    in.vehicle = *vehicle;
+    in.vehicle_at_s = arrival(vehicle->stamp_s);
+  }
   if (plan_) in.plan = &*plan_;
   if (!orders_.empty()) in.command = &orders_.front();
   const GateResult result = gate(state_, in, params_);
@@ -64,6 +73,12 @@ void SafetyGateService::tick() {
   command_autopilot(result, now_s);
   publish(result, now_s);
   last_ = result;
+}
+
+// What is simulated begins by itself, with an order as any other.
+void SafetyGateService::start_simulation(double now_s) {
+  if (!service_.clock().simulated() || state_.idle_since_s >= 0.0) return;
+  orders_.push_back({.id = 1, .stamp_s = now_s, .order = MissionOrder::kStart});
 }
 
 void SafetyGateService::command_autopilot(const GateResult& result, double now_s) {
@@ -83,8 +98,9 @@ void SafetyGateService::command_autopilot(const GateResult& result, double now_s
 
 bool SafetyGateService::is_news(const GateResult& r) const {
   return r.mode != last_.mode || r.reason != last_.reason || r.plan_id != last_.plan_id ||
-         r.command_id != last_.command_id || r.command_result != last_.command_result ||
-         r.phase != last_.phase || r.request != AutopilotRequest::kNone;
+         r.command_id != last_.command_id || r.end != last_.end ||
+         r.command_result != last_.command_result || r.phase != last_.phase ||
+         r.request != AutopilotRequest::kNone;
 }
 
 void SafetyGateService::publish(const GateResult& result, double now_s) {
@@ -93,16 +109,16 @@ void SafetyGateService::publish(const GateResult& result, double now_s) {
   const bool flies = result.mode == SafetyMode::kTrack || result.mode == SafetyMode::kCoast;
   const double age_s = vehicle_.newest() ? vehicle_.age_s(now_s) : -1.0;
   const auto& lease = state_.mission.lease;
-  const bool held = lease.is_held(now_s);
+  const bool held = lease.is_held(ticked_s_);
   const GateReport report{now_s,
                           flies ? state_.flown.stamp_s : 0.0,
                           result,
                           autopilot_,
                           age_s,
-                          state_.last_command.order,
-                          state_.last_command.operator_name,
-                          held ? lease.operator_name : "",
-                          held ? lease.until_s - now_s : 0.0,
+                          state_.order.last.order,
+                          std::string(state_.order.last.operator_name.view()),
+                          held ? std::string(lease.operator_name.view()) : "",
+                          held ? lease.until_s - ticked_s_ : 0.0,
                           autopilot_.offboard ? "" : hindrance_};
   to_idl(report, report_.sample());
   report_.write();

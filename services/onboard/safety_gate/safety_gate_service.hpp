@@ -27,6 +27,7 @@ class SafetyGateService {
 
  private:
   void tick();
+  void start_simulation(double now_s);
   void command_autopilot(const GateResult& result, double now_s);
   void publish(const GateResult& result, double now_s);
   bool is_news(const GateResult& result) const;
@@ -49,6 +50,7 @@ class SafetyGateService {
   std::deque<MissionCommand> orders_;
   GateResult last_;
   double reported_s_ = -1e9;
+  double ticked_s_ = -1e18;
 };
 
 /// Until the stop is requested.

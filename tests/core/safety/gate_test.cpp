@@ -3,62 +3,26 @@
 
 #include <gtest/gtest.h>
 
-namespace foretrack {
+#include "tests/core/safety/flight_loop.hpp"
+
+namespace foretrack::testing {
 namespace {
 
-// Straight along x at 1 m/s for 2 s, then to rest within 1 s.
-PlannedTrajectory straight_plan(std::uint64_t id, double start_s, double from_x_m = 0.0) {
-  PlannedTrajectory plan;
-  plan.id = id;
-  plan.start_s = start_s;
-  plan.status = PlanStatus::kFresh;
-  QuinticPiece cruise{.duration_s = 2.0};
-  cruise.coefficients.row(0) = Vec3(from_x_m, 0, 1.5);
-  cruise.coefficients.row(1) = Vec3(1, 0, 0);
-  QuinticPiece tail{.duration_s =
-                        1.0};  // p = x + t − t³ + t⁴/2: v(0) = 1, v(1) = 0, a(0) = a(1) = 0
-  tail.coefficients.row(0) = Vec3(from_x_m + 2.0, 0, 1.5);
-  tail.coefficients.row(1) = Vec3(1, 0, 0);
-  tail.coefficients.row(3) = Vec3(-1, 0, 0);
-  tail.coefficients.row(4) = Vec3(0.5, 0, 0);
-  plan.pieces = {cruise, tail};
-  plan.tail_start_s = 2.0;
-  plan.yaw.nodes = {{0.0, 0.1}, {0.01, 0.1}};
-  return plan;
-}
-
-struct Loop {
-  SafetyParams params;
-  GateState state;
-  double now_s = 0.0;
-  bool offboard = true;
-  bool vehicle_alive = true, autopilot_alive = true;
-  std::optional<Vec3> displaced;
-  VehicleState vehicle{.position_enu_m = Vec3(0, 0, 1.5)};
-  double last_vehicle_s = 0.0, last_autopilot_s = 0.0;
-
-  GateResult tick(const PlannedTrajectory* plan = nullptr,
-                  const MissionCommand* command = nullptr) {
-    now_s += 0.01;
-    if (vehicle_alive) last_vehicle_s = now_s;
-    if (autopilot_alive) last_autopilot_s = now_s;
-    if (state.has_flown) vehicle.position_enu_m = state.flown.position(now_s - state.flown.start_s);
-    if (displaced) vehicle.position_enu_m = *displaced;
-    vehicle.stamp_s = last_vehicle_s;
-    const AutopilotStatus autopilot{
-        .stamp_s = last_autopilot_s, .armed = true, .offboard = offboard};
-    return gate(state, {now_s, plan, vehicle, autopilot, command}, params);
+/// Flies, as ordered, from the origin.
+struct Flying : FlightLoop {
+  Flying() {
+    take_off_and_track();
+    EXPECT_EQ(state.mission.phase, MissionPhase::kTracking);
   }
-  GateResult run(double for_s) {
-    GateResult r;
-    for (int i = 0; i < static_cast<int>(for_s / 0.01 + 0.5); ++i) r = tick();
-    return r;
+  /// A plan along x that starts in the next tick, where the vehicle is.
+  PlannedTrajectory plan(std::uint64_t id, double after_s = kTick_s, double from_x_m = 0.0) {
+    return straight_plan(id, stamp_now_s() + after_s, from_x_m);
   }
 };
 
 TEST(Gate, TracksAFreshPlanWhereItIsAtThisMoment) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   const auto r = loop.tick(&plan);
   ASSERT_TRUE(r.setpoint);
   EXPECT_EQ(r.mode, SafetyMode::kTrack);
@@ -69,8 +33,8 @@ TEST(Gate, TracksAFreshPlanWhereItIsAtThisMoment) {
 }
 
 TEST(Gate, FliesTheOldPlanUntilTheNewOneStarts) {
-  Loop loop;
-  const auto first = straight_plan(1, 0.01), second = straight_plan(2, 0.06, 0.05);
+  Flying loop;
+  const auto first = loop.plan(1), second = loop.plan(2, 0.06, 0.05);
   loop.tick(&first);
   EXPECT_EQ(loop.tick(&second).plan_id, 1U);
   loop.run(0.06);
@@ -78,8 +42,8 @@ TEST(Gate, FliesTheOldPlanUntilTheNewOneStarts) {
 }
 
 TEST(Gate, StepsDownFromTrackToCoastToHoverToSilentWhenPlansCease) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   loop.tick(&plan);
   EXPECT_EQ(loop.run(0.2).mode, SafetyMode::kTrack);
   const auto coast = loop.run(0.2);
@@ -98,29 +62,18 @@ TEST(Gate, StepsDownFromTrackToCoastToHoverToSilentWhenPlansCease) {
 }
 
 TEST(Gate, TracksAgainWhenPlansComeBack) {
-  Loop loop;
-  const auto first = straight_plan(1, 0.01);
+  Flying loop;
+  const auto first = loop.plan(1);
   loop.tick(&first);
-  loop.run(9.0);
-  const auto second = straight_plan(2, loop.now_s + 0.01, 2.5);
+  loop.run(4.0);
+  const auto second = loop.plan(2, 0.01, 2.5);
   loop.tick(&second);
   EXPECT_EQ(loop.tick().mode, SafetyMode::kTrack);
 }
 
-TEST(Gate, PublishesNoSetpointOutsideOffboardModeButAsksForIt) {
-  Loop loop;
-  loop.offboard = false;
-  const auto plan = straight_plan(1, 0.01);
-  const auto r = loop.tick(&plan);
-  EXPECT_FALSE(r.setpoint);
-  EXPECT_TRUE(r.heartbeat);
-  EXPECT_EQ(r.request, AutopilotRequest::kOffboard);
-  EXPECT_EQ(r.reason, SafetyReason::kNotOffboard);
-}
-
 TEST(Gate, BrakesWhenTheVehicleIsFarOffItsTrajectory) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   loop.tick(&plan);
   loop.displaced = Vec3(0, 3, 1.5);
   const auto r = loop.tick();
@@ -131,8 +84,8 @@ TEST(Gate, BrakesWhenTheVehicleIsFarOffItsTrajectory) {
 }
 
 TEST(Gate, FallsSilentWithoutVehicleStateOrFlightController) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   loop.tick(&plan);
   loop.vehicle_alive = false;
   EXPECT_EQ(loop.run(0.4).reason, SafetyReason::kVehicleStale);
@@ -144,25 +97,26 @@ TEST(Gate, FallsSilentWithoutVehicleStateOrFlightController) {
 }
 
 TEST(Gate, HoldsOnOrderAndStopsEvenWhenTheOrderIsOldOrRepeated) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   loop.tick(&plan);
-  MissionCommand hold{.id = 5, .stamp_s = loop.now_s, .order = MissionOrder::kHold};
+  const MissionCommand hold{.id = 5, .stamp_s = loop.stamp_now_s(), .order = MissionOrder::kHold};
   EXPECT_EQ(loop.tick(nullptr, &hold).phase, MissionPhase::kHolding);
   EXPECT_EQ(loop.tick(nullptr, &hold).command_result, MissionResult::kRefusedRepeated);
-  MissionCommand late{.id = 6, .stamp_s = loop.now_s - 5.0, .order = MissionOrder::kResume};
+  const MissionCommand late{
+      .id = 6, .stamp_s = loop.stamp_now_s() - 5.0, .order = MissionOrder::kResume};
   EXPECT_EQ(loop.tick(nullptr, &late).command_result, MissionResult::kRefusedLate);
-  MissionCommand stop{.id = 1, .stamp_s = loop.now_s - 5.0, .order = MissionOrder::kStop};
+  const MissionCommand stop{
+      .id = 1, .stamp_s = loop.stamp_now_s() - 5.0, .order = MissionOrder::kStop};
   EXPECT_EQ(loop.tick(nullptr, &stop).phase, MissionPhase::kStopped);
 }
 
 TEST(Gate, StopsByBrakingAndThenHoldsWhereItCameToRest) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   loop.tick(&plan);
   loop.vehicle.velocity_enu_m_s = Vec3(1, 0, 0);
-  MissionCommand stop{.id = 1, .stamp_s = loop.now_s, .order = MissionOrder::kStop};
-  EXPECT_EQ(loop.tick(nullptr, &stop).mode, SafetyMode::kBrake);
+  EXPECT_EQ(loop.order(MissionOrder::kStop).mode, SafetyMode::kBrake);
   loop.vehicle.velocity_enu_m_s = Vec3::Zero();
   loop.displaced = Vec3(0.3, 0, 1.5);
   const auto stopped = loop.tick();
@@ -172,38 +126,42 @@ TEST(Gate, StopsByBrakingAndThenHoldsWhereItCameToRest) {
 }
 
 TEST(Gate, StartsTheWaitingPlanBeforeANewerOneTakesItsPlace) {
-  Loop loop;
-  const auto first = straight_plan(1, 0.01), second = straight_plan(2, 0.05, 0.04);
+  Flying loop;
+  const auto first = loop.plan(1), second = loop.plan(2, 0.05, 0.04);
   loop.tick(&first);
   loop.tick(&second);
-  loop.run(0.02);  // now 0.04 s: the second starts at the next tick, with which a third comes
-  const auto third = straight_plan(3, 0.5, 0.49);
+  loop.run(0.02);  // the second starts at the next tick, with which a third comes
+  const auto third = loop.plan(3, 0.4, 0.43);
   EXPECT_EQ(loop.tick(&third).plan_id, 2U);
 }
 
 TEST(Gate, HoldsWhereItCameToRestAndNotWhereItHeldBeforeItWasPushedAway) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
+  Flying loop;
+  const auto plan = loop.plan(1);
   loop.tick(&plan);
   ASSERT_EQ(loop.run(3.2).mode, SafetyMode::kHover);
   loop.displaced = Vec3(0, 4, 1.5);
   ASSERT_EQ(loop.tick().mode, SafetyMode::kBrake);
-  MissionCommand hold{.id = 1, .stamp_s = loop.now_s, .order = MissionOrder::kHold};
-  const auto r = loop.tick(nullptr, &hold);
+  const auto r = loop.order(MissionOrder::kHold);
   ASSERT_EQ(r.mode, SafetyMode::kHover);
   ASSERT_TRUE(r.setpoint);
   EXPECT_EQ(r.setpoint->position_enu_m, Vec3(0, 4, 1.5));
 }
 
-TEST(Gate, LandsThroughTheFlightControllerWithoutHeartbeat) {
-  Loop loop;
-  const auto plan = straight_plan(1, 0.01);
-  loop.tick(&plan);
-  MissionCommand land{.id = 1, .stamp_s = loop.now_s, .order = MissionOrder::kLand};
-  const auto r = loop.tick(nullptr, &land);
-  EXPECT_EQ(r.request, AutopilotRequest::kLand);
-  EXPECT_FALSE(r.heartbeat);
+TEST(Gate, FliesOnByTheMonotonicClockWhenTheOtherIsSet) {
+  for (const double step_s : {3600.0, -3600.0, 0.45}) {
+    Flying loop;
+    const auto plan = loop.plan(1);
+    loop.tick(&plan);
+    loop.run(0.1);
+    loop.clock_offset_s += step_s;
+    const auto r = loop.run(0.1);
+    EXPECT_EQ(r.mode, SafetyMode::kTrack) << step_s;
+    ASSERT_TRUE(r.setpoint);
+    EXPECT_NEAR(r.setpoint->position_enu_m.x(), 0.2, 1e-9) << step_s;
+    EXPECT_EQ(loop.run(0.2).mode, SafetyMode::kCoast) << step_s;
+  }
 }
 
 }  // namespace
-}  // namespace foretrack
+}  // namespace foretrack::testing

@@ -3,43 +3,73 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace foretrack {
 namespace {
 
-constexpr MissionRules kRules{.max_age_s = 1.0, .lease_s = 5.0};
+constexpr MissionRules kRules{.max_age_s = 1.0, .future_s = 0.5, .lease_s = 5.0};
+constexpr std::uint64_t kHighest = std::numeric_limits<std::uint64_t>::max();
+constexpr auto kAll = {MissionOrder::kStart,   MissionOrder::kHold,    MissionOrder::kResume,
+                       MissionOrder::kReturn,  MissionOrder::kLand,    MissionOrder::kLease,
+                       MissionOrder::kRelease, MissionOrder::kTakeOff, MissionOrder::kSetBounds};
 
-/// A mission that tracks, and orders with growing ids.
+/// A mission that tracks, and orders a moment apart.
 struct Orders {
-  Mission mission{.phase = MissionPhase::kTracking, .lease = {}, .last_id = 0};
+  Mission mission{.phase = MissionPhase::kTracking, .engaged = true};
   double now_s = 100.0;
   std::uint64_t id = 0;
+  bool proved = true;
 
-  MissionResult give(MissionOrder order, const std::string& name = "ada") {
-    return apply({++id, now_s, order, name, name + "'s lease"}, mission, now_s, kRules);
+  MissionCommand order(MissionOrder what, const char* name = "ada") {
+    return {.id = ++id,
+            .stamp_s = now_s,
+            .order = what,
+            .operator_name = name,
+            .lease_id = name,
+            .proved = proved};
+  }
+  MissionResult give(const MissionCommand& command) {
+    return apply(command, mission, {now_s, now_s}, kRules);
+  }
+  MissionResult give(MissionOrder what, const char* name = "ada") {
+    now_s += 0.01;
+    return give(order(what, name));
   }
 };
 
 TEST(Mission, AnybodyMayOrderWhileNobodyHoldsTheLease) {
   Orders orders;
+  orders.proved = false;
   EXPECT_EQ(orders.give(MissionOrder::kHold, "ada"), MissionResult::kAccepted);
   EXPECT_EQ(orders.give(MissionOrder::kResume, "bob"), MissionResult::kAccepted);
   EXPECT_EQ(orders.mission.phase, MissionPhase::kTracking);
 }
 
 TEST(Mission, RefusesEveryOrderOfOthersButStopWhileTheLeaseIsHeld) {
-  for (const auto order :
-       {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume, MissionOrder::kReturn,
-        MissionOrder::kLand, MissionOrder::kLease, MissionOrder::kRelease}) {
+  for (const auto order : kAll) {
     Orders orders;
     ASSERT_EQ(orders.give(MissionOrder::kLease, "ada"), MissionResult::kAccepted);
     EXPECT_EQ(orders.give(order, "bob"), MissionResult::kRefusedForeign) << to_string(order);
     EXPECT_EQ(orders.mission.phase, MissionPhase::kTracking);
-    EXPECT_EQ(orders.mission.lease.operator_name, "ada");
+    EXPECT_EQ(orders.mission.lease.operator_name.view(), "ada");
   }
   Orders orders;
   orders.give(MissionOrder::kLease, "ada");
+  orders.proved = false;
   EXPECT_EQ(orders.give(MissionOrder::kStop, "bob"), MissionResult::kAccepted);
   EXPECT_EQ(orders.mission.phase, MissionPhase::kStopped);
+}
+
+TEST(Mission, RefusesWhatNamesTheLeaseWithoutProof) {
+  for (const auto order : kAll) {
+    Orders orders;
+    ASSERT_EQ(orders.give(MissionOrder::kLease), MissionResult::kAccepted);
+    orders.proved = false;
+    EXPECT_EQ(orders.give(order), MissionResult::kRefusedUnproved) << to_string(order);
+    EXPECT_EQ(orders.mission.phase, MissionPhase::kTracking);
+  }
 }
 
 TEST(Mission, ALeaseRunsOutUnlessItIsRenewed) {
@@ -51,7 +81,7 @@ TEST(Mission, ALeaseRunsOutUnlessItIsRenewed) {
   EXPECT_EQ(orders.give(MissionOrder::kLease, "bob"), MissionResult::kRefusedForeign);
   orders.now_s += 1.5;
   EXPECT_EQ(orders.give(MissionOrder::kLease, "bob"), MissionResult::kAccepted);
-  EXPECT_EQ(orders.mission.lease.operator_name, "bob");
+  EXPECT_EQ(orders.mission.lease.operator_name.view(), "bob");
 }
 
 TEST(Mission, AReleasedVehicleCanBeTakenAtOnce) {
@@ -62,27 +92,168 @@ TEST(Mission, AReleasedVehicleCanBeTakenAtOnce) {
   EXPECT_EQ(orders.give(MissionOrder::kLease, "bob"), MissionResult::kAccepted);
 }
 
-TEST(Mission, ALeaseWithoutASecretIsRefused) {
+TEST(Mission, ALeaseWithoutANameIsRefused) {
   Mission mission;
-  const MissionCommand command{1, 0.0, MissionOrder::kLease, "ada", ""};
-  EXPECT_EQ(apply(command, mission, 0.0, kRules), MissionResult::kRefusedForeign);
+  const MissionCommand command{.id = 1, .order = MissionOrder::kLease, .proved = true};
+  EXPECT_EQ(apply(command, mission, {0.0, 0.0}, kRules), MissionResult::kRefusedUnproved);
 }
 
 TEST(Mission, AStrangersHighIdDoesNotLockTheHolderOut) {
   Orders orders;
   orders.give(MissionOrder::kLease, "ada");
-  const MissionCommand foreign{1u << 30, orders.now_s, MissionOrder::kHold, "bob", "guess"};
-  EXPECT_EQ(apply(foreign, orders.mission, orders.now_s, kRules), MissionResult::kRefusedForeign);
+  MissionCommand foreign = orders.order(MissionOrder::kHold, "bob");
+  foreign.id = kHighest;
+  EXPECT_EQ(orders.give(foreign), MissionResult::kRefusedForeign);
   EXPECT_EQ(orders.give(MissionOrder::kHold, "ada"), MissionResult::kAccepted);
 }
 
-TEST(Mission, AnOrderFromBeforeTheStopDoesNotUndoIt) {
+TEST(Mission, TheHighestIdLocksNobodyOut) {
+  for (const auto first : {MissionOrder::kHold, MissionOrder::kStop, MissionOrder::kLand}) {
+    Orders orders;
+    MissionCommand highest = orders.order(first);
+    highest.id = kHighest;
+    ASSERT_EQ(orders.give(highest), MissionResult::kAccepted);
+    EXPECT_EQ(orders.give(MissionOrder::kReturn) == MissionResult::kAccepted,
+              first != MissionOrder::kLand);
+    EXPECT_EQ(orders.give(MissionOrder::kLand), MissionResult::kAccepted);
+    EXPECT_EQ(orders.give(MissionOrder::kStop), MissionResult::kAccepted);
+  }
+}
+
+TEST(Mission, AStampFromTheFutureLocksNobodyOut) {
   Orders orders;
-  const MissionCommand before{1, orders.now_s, MissionOrder::kStart, "ada", ""};
-  const MissionCommand stop{2, orders.now_s, MissionOrder::kStop, "ada", ""};
-  apply(stop, orders.mission, orders.now_s, kRules);
-  EXPECT_EQ(apply(before, orders.mission, orders.now_s, kRules), MissionResult::kRefusedRepeated);
-  EXPECT_EQ(orders.mission.phase, MissionPhase::kStopped);
+  MissionCommand future = orders.order(MissionOrder::kHold);
+  future.stamp_s = orders.now_s + 3600.0;
+  EXPECT_EQ(orders.give(future), MissionResult::kRefusedFuture);
+  future.stamp_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(orders.give(future), MissionResult::kRefusedFuture);
+  future.order = MissionOrder::kStop;
+  for (const double stamp_s : {orders.now_s + 3600.0, std::nan("")}) {
+    future.stamp_s = stamp_s;
+    EXPECT_EQ(orders.give(future), MissionResult::kAccepted);
+  }
+  EXPECT_EQ(orders.give(MissionOrder::kReturn), MissionResult::kAccepted);
+}
+
+TEST(Mission, RefusesWhatIsLateOrWasHeardBefore) {
+  Orders orders;
+  const MissionCommand hold = orders.order(MissionOrder::kHold);
+  EXPECT_EQ(orders.give(hold), MissionResult::kAccepted);
+  EXPECT_EQ(orders.give(hold), MissionResult::kRefusedRepeated);
+  MissionCommand late = orders.order(MissionOrder::kResume);
+  late.stamp_s -= 1.1;
+  EXPECT_EQ(orders.give(late), MissionResult::kRefusedLate);
+  MissionCommand overtaken = orders.order(MissionOrder::kResume);
+  overtaken.stamp_s -= 0.5;
+  EXPECT_EQ(orders.give(overtaken), MissionResult::kRefusedRepeated);
+}
+
+TEST(Mission, LandIsTakenHoweverOldOrRepeatedAndInEveryPhase) {
+  for (const auto phase : {MissionPhase::kIdle, MissionPhase::kTracking, MissionPhase::kHolding,
+                           MissionPhase::kReturning, MissionPhase::kLanding, MissionPhase::kStopped,
+                           MissionPhase::kStarting, MissionPhase::kTakingOff}) {
+    Orders orders;
+    orders.mission.phase = phase;
+    MissionCommand land = orders.order(MissionOrder::kLand);
+    land.stamp_s -= 1000.0;
+    EXPECT_EQ(orders.give(land), MissionResult::kAccepted);
+    EXPECT_EQ(orders.give(land), MissionResult::kAccepted);
+    EXPECT_EQ(orders.mission.phase, MissionPhase::kLanding);
+  }
+}
+
+TEST(Mission, AnOrderFromBeforeTheStopDoesNotUndoIt) {
+  for (const double ahead_s : {0.0, -0.3}) {  // of the clock of who stops
+    Orders orders;
+    MissionCommand stop = orders.order(MissionOrder::kStop);
+    const MissionCommand before = orders.order(MissionOrder::kStart);
+    orders.now_s += 0.05;
+    stop.stamp_s += ahead_s;
+    orders.give(stop);
+    EXPECT_EQ(orders.give(before), MissionResult::kRefusedRepeated);
+    EXPECT_EQ(orders.mission.phase, MissionPhase::kStopped);
+  }
+}
+
+TEST(Mission, AClockThatIsSetLocksNobodyOut) {
+  Orders orders;
+  EXPECT_EQ(orders.give(MissionOrder::kHold), MissionResult::kAccepted);
+  for (const double step_s : {-3600.0, 7200.0}) {
+    orders.now_s += step_s;
+    EXPECT_EQ(orders.give(MissionOrder::kResume), MissionResult::kAccepted) << step_s;
+    EXPECT_EQ(orders.give(MissionOrder::kHold), MissionResult::kAccepted) << step_s;
+  }
+}
+
+struct Move {
+  MissionPhase from;
+  MissionOrder order;
+  bool engaged;
+  std::optional<MissionPhase> to;  // none: refused
+};
+
+TEST(Mission, OrdersMoveItFromPhaseToPhase) {
+  using P = MissionPhase;
+  using O = MissionOrder;
+  const Move moves[] = {
+      {P::kIdle, O::kStart, false, P::kStarting},
+      {P::kStopped, O::kStart, true, P::kTracking},
+      {P::kTracking, O::kStart, true, std::nullopt},
+      {P::kHolding, O::kStart, true, std::nullopt},
+      {P::kTracking, O::kHold, true, P::kHolding},
+      {P::kReturning, O::kHold, false, P::kHolding},
+      {P::kTakingOff, O::kHold, false, P::kHolding},
+      {P::kStopped, O::kHold, true, std::nullopt},
+      {P::kHolding, O::kResume, true, P::kTracking},
+      {P::kHolding, O::kResume, false, P::kStarting},
+      {P::kStopped, O::kResume, true, std::nullopt},
+      {P::kStopped, O::kReturn, true, P::kReturning},
+      {P::kLanding, O::kReturn, true, std::nullopt},
+      {P::kIdle, O::kTakeOff, false, P::kTakingOff},
+      {P::kTracking, O::kTakeOff, true, std::nullopt},
+      {P::kStarting, O::kStop, false, P::kStopped},
+      {P::kTracking, O::kLease, true, P::kTracking},
+      {P::kTracking, O::kRelease, true, P::kTracking},
+      {P::kTracking, O::kSetBounds, true, P::kTracking},
+  };
+  for (const Move& move : moves) {
+    Orders orders;
+    orders.mission.phase = move.from;
+    orders.mission.engaged = move.engaged;
+    EXPECT_EQ(orders.give(move.order),
+              move.to ? MissionResult::kAccepted : MissionResult::kRefusedPhase)
+        << to_string(move.from) << " " << to_string(move.order);
+    EXPECT_EQ(orders.mission.phase, move.to.value_or(move.from));
+  }
+}
+
+TEST(Mission, TakesBoundsThatAreSoundAndKeepsTheLastOnes) {
+  Orders orders;
+  MissionCommand command = orders.order(MissionOrder::kSetBounds);
+  command.bounds.altitude_max_m = 10.0;
+  EXPECT_EQ(orders.give(command), MissionResult::kAccepted);
+  command = orders.order(MissionOrder::kSetBounds);
+  command.bounds.corner_count = 2;
+  EXPECT_EQ(orders.give(command), MissionResult::kRefusedBounds);
+  EXPECT_EQ(orders.mission.bounds.altitude_max_m, 10.0);
+}
+
+TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
+  for (const auto order : kAll)
+    EXPECT_EQ(needs_memory(order),
+              order == MissionOrder::kStart || order == MissionOrder::kResume ||
+                  order == MissionOrder::kTakeOff || order == MissionOrder::kLease ||
+                  order == MissionOrder::kSetBounds)
+        << to_string(order);
+  EXPECT_FALSE(needs_memory(MissionOrder::kStop));
+}
+
+TEST(Mission, EverythingHasAName) {
+  for (const auto order : kAll) EXPECT_FALSE(to_string(order).empty());
+  EXPECT_EQ(to_string(MissionOrder::kSetBounds), "set_bounds");
+  EXPECT_EQ(to_string(MissionPhase::kTakingOff), "taking off");
+  EXPECT_EQ(to_string(MissionResult::kAcceptedUnwritten),
+            "accepted, but a restart would forget it");
 }
 
 }  // namespace

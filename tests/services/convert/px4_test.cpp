@@ -123,6 +123,22 @@ TEST(VehicleStatus, RoundTripsAndKnowsOffboardFromOtherModes) {
   EXPECT_TRUE(!out->armed && !out->offboard && out->failsafe);
 }
 
+TEST(VehicleStatus, EachModeRoundTrips) {
+  for (const auto mode :
+       {FlightMode::kOffboard, FlightMode::kPilot, FlightMode::kHold, FlightMode::kTakeOff,
+        FlightMode::kReturn, FlightMode::kLand, FlightMode::kTermination, FlightMode::kOther}) {
+    const AutopilotStatus in{.stamp_s = 4.0,
+                             .offboard = mode == FlightMode::kOffboard,
+                             .mode = mode,
+                             .user_took_over = mode == FlightMode::kPilot};
+    const auto out = from_idl(message<msg::VehicleStatus>(in));
+    ASSERT_TRUE(out) << out.fault().text;
+    EXPECT_EQ(out->mode, mode);
+    EXPECT_EQ(out->offboard, in.offboard);
+    EXPECT_EQ(out->user_took_over, in.user_took_over);
+  }
+}
+
 TEST(VehicleStatus, RefusesAnUnknownArmingState) {
   auto m = message<msg::VehicleStatus>(AutopilotStatus{.stamp_s = 1.0});
   m.arming_state(3);
@@ -130,8 +146,9 @@ TEST(VehicleStatus, RefusesAnUnknownArmingState) {
 }
 
 TEST(VehicleCommand, EachRequestRoundTrips) {
-  for (const auto request : {AutopilotRequest::kArm, AutopilotRequest::kOffboard,
-                             AutopilotRequest::kReturn, AutopilotRequest::kLand}) {
+  for (const auto request :
+       {AutopilotRequest::kArm, AutopilotRequest::kOffboard, AutopilotRequest::kReturn,
+        AutopilotRequest::kLand, AutopilotRequest::kTakeOff, AutopilotRequest::kHold}) {
     msg::VehicleCommand m;
     to_idl(request, 1.0, m);
     EXPECT_TRUE(m.from_external());
@@ -147,7 +164,7 @@ TEST(VehicleCommand, RefusesWhatWeNeverAskFor) {
   to_idl(AutopilotRequest::kArm, 1.0, good);
   testing::expect_each_refused<M>(good,
                                   {
-                                      {"command", [](M& m) { m.command(22); }},
+                                      {"command", [](M& m) { m.command(23); }},
                                       {"param1", [](M& m) { m.param1(0.0f); }},
                                       {"param2", [](M& m) { m.command(176), m.param2(4.0f); }},
                                   },

@@ -91,10 +91,10 @@ TEST(SafetyStateMessage, RefusesEachBadField) {
           std::vector<testing::PlantedFault<M>>{
               {"caused_by", [](M& m) { m.caused_by().nanosec(2'000'000'000u); }},
               {"mode", [](M& m) { m.mode(5); }},
-              {"reason", [](M& m) { m.reason(10); }},
-              {"phase", [](M& m) { m.phase(6); }},
-              {"request", [](M& m) { m.request(5); }},
-              {"command_result", [](M& m) { m.command_result(6); }},
+              {"reason", [](M& m) { m.reason(20); }},
+              {"phase", [](M& m) { m.phase(8); }},
+              {"request", [](M& m) { m.request(7); }},
+              {"command_result", [](M& m) { m.command_result(12); }},
               {"plan_age_s", [](M& m) { m.plan_age_s(kNaN); }},
               {"deviation_m", [](M& m) { m.deviation_m(kInf); }},
               {"odometry_age_s", [](M& m) { m.odometry_age_s(kNaN); }},
@@ -118,8 +118,8 @@ TEST(MissionCommandMessage, RoundTripsAndKeepsTheLease) {
   EXPECT_EQ(out->id, in.id);
   EXPECT_EQ(out->stamp_s, in.stamp_s);
   EXPECT_EQ(out->order, in.order);
-  EXPECT_EQ(out->operator_name, "ada");
-  EXPECT_EQ(out->lease_id, "lease");
+  EXPECT_EQ(out->operator_name.view(), "ada");
+  EXPECT_EQ(out->lease_id.view(), "lease");
 }
 
 TEST(MissionCommandMessage, RefusesEachBadField) {
@@ -128,7 +128,7 @@ TEST(MissionCommandMessage, RefusesEachBadField) {
       message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kStop}),
       {
           {"header.stamp", [](M& m) { m.header().stamp().sec(-1); }},
-          {"command", [](M& m) { m.command(8); }},
+          {"command", [](M& m) { m.command(9); }},
           {"id", [](M& m) { m.id(0); }},
       },
       [](const M& m) { return from_idl(m); });

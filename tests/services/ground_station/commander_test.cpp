@@ -21,15 +21,19 @@ class Gate {
  public:
   bool deaf = false;
   int orders = 0;  // that came, also to deaf ears
-  Mission mission{MissionPhase::kTracking, {}, 0};
+  Mission mission{.phase = MissionPhase::kTracking, .engaged = true};
 
   CdrBytes step(double now_s) {
     orders_.take_each([&](const foretrack_msgs::msg::MissionCommand& m) {
       ++orders;
       if (deaf) return;
-      const MissionCommand command{m.id(), now_s, static_cast<MissionOrder>(m.command()),
-                                   m.operator_id().c_str(), m.lease_id().c_str()};
-      state_.command_result(static_cast<std::uint8_t>(apply(command, mission, now_s, {})));
+      const MissionCommand command{m.id(),
+                                   now_s,
+                                   static_cast<MissionOrder>(m.command()),
+                                   m.operator_id().c_str(),
+                                   m.lease_id().c_str(),
+                                   !m.lease_id().empty()};
+      state_.command_result(static_cast<std::uint8_t>(apply(command, mission, {now_s, now_s}, {})));
       state_.command_id(m.id());
       state_.command(m.command());
     });

@@ -6,11 +6,15 @@ const prediction = ["ok", "no target", "target blocked", "search exhausted"];
 const plan = ["none", "fresh", "kept", "search", "hold"];
 const mode = ["track", "coast", "hover", "brake", "silent"];
 const service = ["running", "degraded", "stopping"];
-const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped"];
+const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped",
+  "starting", "taking off"];
 const result = ["none", "accepted", "refused: too late", "refused: repeated",
-  "refused: not from this phase", "refused: somebody else has control"];
+  "refused: not from this phase", "refused: somebody else has control",
+  "refused: stamped in the future", "refused: no proof that it comes from who has control",
+  "refused: it could not be written down", "refused: these are no bounds",
+  "acts, and is being written down", "accepted, but a restart would forget it"];
 const command = ["start", "hold", "resume", "return", "land", "stop", "take control",
-  "give control back"];
+  "give control back", "take off", "set bounds"];
 const level = ["ok", "warning", "error", "stale"];
 const battery = ["ok", "low", "critical", "emergency", "failed"];
 
@@ -38,6 +42,16 @@ const gateReason = [
   "nothing is heard from the autopilot",
   "the autopilot is not in offboard mode",
   "an operator's order",
+  "the odometry jumps",
+  "the odometry is frozen",
+  "the odometry disagrees with its own velocity",
+  "an obstacle is in the way",
+  "somebody is in the way",
+  "the vehicle is outside of its fence",
+  "the vehicle is outside of its altitudes",
+  "the battery is at its reserve",
+  "nothing is heard from the operator",
+  "the images are frozen, dark or covered",
 ];
 
 const from = (words: string[]) => (index: number): string => words[index] ?? "unknown";
