@@ -55,7 +55,7 @@ std::vector<RecordedStep> record_world(const Scenario& scenario) {
     const MissionCommand start{
         .id = 1, .stamp_s = s.simulator.now_s, .order = MissionOrder::kStart};
     if (steps.size() == 1) input.command = &start;
-    s.command = command_of(step(tracker, input, params).gate);
+    s.command = input_of(step(tracker, input, params).gate);
   };
   fly_pilot(scenario, pilot, metric_params_of(params));
   return steps;

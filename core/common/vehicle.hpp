@@ -97,9 +97,9 @@ enum class CommandKind : std::uint8_t { kArm, kDisarm, kMode };
 /// What may be asked of a flight controller.
 struct AutopilotCommand {
   CommandKind kind = CommandKind::kMode;
-  FlightMode mode = FlightMode::kHold;  // of kMode: to take off, to return and to land are modes
-  bool forced = false;                  // of kDisarm: in the air, too
-  int target_system = 1;                // 0: whoever hears it
+  FlightMode mode = FlightMode::kHold;  ///< of kMode: to take off, to return and to land are modes
+  bool forced = false;                  ///< of kDisarm: in the air, too
+  int target_system = 1;                ///< 0: whoever hears it
 };
 
 /// Its answer, by the numbers of MAVLink's MAV_RESULT.

@@ -46,6 +46,7 @@ struct Scenario {
   TargetSpec target;
   std::optional<Vec3> vehicle_enu_m;  // none: 2 m behind the target, or the nearest free place
   double vehicle_yaw_rad = 0.0;       // used with vehicle_enu_m
+  bool parked = false;                // on the ground there, disarmed; else it hovers armed
   QuadrotorParams quadrotor;
   AutopilotParams autopilot;
   WindParams wind;

@@ -93,6 +93,7 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
                                 text_of(person.state.position_enu_m) +
                                 " is inside an obstacle or outside the bounds");
   QuadrotorState quadrotor = place_vehicle(scenario, world, person.state);
+  if (scenario.parked) quadrotor.vehicle.position_enu_m.z() = 0.0;
   Autopilot autopilot = make_autopilot(scenario.autopilot, quadrotor.vehicle);
   SimulatorState state{scenario,
                        std::move(world),
@@ -123,7 +124,7 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   const Setpoint& setpoint =
       update_autopilot(state.autopilot, input, state.quadrotor.vehicle, dt_s);
   fly_setpoint(scenario.quadrotor, scenario.wind, state.quadrotor, setpoint,
-               state.autopilot.status.armed, dt_s);
+               motors_turn(state.autopilot), dt_s);
   advance(state.person, dt_s);
   if (state.color_camera)
     for (Bystander& other : state.color_camera->bystanders) advance(other.person, dt_s);
@@ -136,9 +137,10 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   out.acceleration_enu_m_s2 = state.quadrotor.acceleration_enu_m_s2;
   out.autopilot = state.autopilot.status;
   out.autopilot.stamp_s = out.now_s;
+  out.answer = state.autopilot.answer;
   out.offboard_possible = may_fly_offboard(state.autopilot, out.now_s);
   drain(out.battery, out.acceleration_enu_m_s2.z(), out.acceleration_enu_m_s2.head<2>().norm(),
-        out.autopilot.armed, dt_s);
+        motors_turn(state.autopilot), dt_s);
   out.target = state.person.state;
   take_images(state, height_m);
   return out;

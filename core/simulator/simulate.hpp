@@ -15,7 +15,8 @@ struct SimulatorOutput {
   VehicleState vehicle;  // truth, which is also the odometry
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   AutopilotStatus autopilot;
-  bool offboard_possible = false;  // on request
+  bool offboard_possible = false;       // on request
+  std::optional<CommandResult> answer;  // to the step's command
   Battery battery;
   std::optional<TargetObservation> observation;  // delivered in this step; none with color images
   const ColorImage* color = nullptr;             // null: none in this step
@@ -35,10 +36,10 @@ struct SimulatorState {
   SimulatorOutput output;
 };
 
-/// At time 0: the person stands at the start, the vehicle hovers armed. Each part draws its noise
-/// from a seed of its own. Throws std::invalid_argument for a scenario that cannot be (start inside
-/// an obstacle or outside the bounds, no way to walk; color images without a `person` to render, or
-/// without one for each bystander).
+/// At time 0: the person stands at the start, the vehicle hovers armed or is parked. Each part
+/// draws its noise from a seed of its own. Throws std::invalid_argument for a scenario that cannot
+/// be (start inside an obstacle or outside the bounds, no way to walk; color images without a
+/// `person` to render, or without one for each bystander).
 SimulatorState make_simulator(const Scenario& scenario,
                               std::shared_ptr<const PersonModel> person = nullptr,
                               std::vector<std::shared_ptr<const PersonModel>> bystanders = {});

@@ -143,6 +143,14 @@ struct Px4FailsafeFlags {
   using Type = px4_msgs::msg::FailsafeFlags;
   static constexpr TopicInfo info{"fmu/out/failsafe_flags", Scope::kPx4, "sensor"};
 };
+struct Px4VehicleCommandAck {
+  using Type = px4_msgs::msg::VehicleCommandAck;
+  static constexpr TopicInfo info{"fmu/out/vehicle_command_ack", Scope::kPx4, "sensor"};
+};
+struct Px4ManualControlSetpoint {
+  using Type = px4_msgs::msg::ManualControlSetpoint;
+  static constexpr TopicInfo info{"fmu/out/manual_control_setpoint", Scope::kPx4, "sensor"};
+};
 struct Px4OffboardControlMode {
   using Type = px4_msgs::msg::OffboardControlMode;
   static constexpr TopicInfo info{"fmu/in/offboard_control_mode", Scope::kPx4, "state"};
@@ -164,6 +172,7 @@ using All =
                PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
                TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
                Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4FailsafeFlags,
-               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+               Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4OffboardControlMode,
+               Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

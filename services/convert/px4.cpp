@@ -11,17 +11,10 @@ namespace foretrack {
 namespace {
 
 namespace msg = px4_msgs::msg;
-namespace command = msg::VehicleCommand_Constants;
 namespace odometry = msg::VehicleOdometry_Constants;
 namespace vehicle = msg::VehicleStatus_Constants;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kCustomModeEnabled = 1.0f;  // of VEHICLE_CMD_DO_SET_MODE
-constexpr float kOffboardMainMode = 6.0f;   // PX4_CUSTOM_MAIN_MODE_OFFBOARD
-constexpr float kAutoMainMode = 4.0f;       // PX4_CUSTOM_MAIN_MODE_AUTO
-constexpr float kLoiterSubMode = 3.0f;      // PX4_CUSTOM_SUB_MODE_AUTO_LOITER
-// Of VehicleStatus.nav_state, PX4 1.16: other ways in which a pilot flies.
-constexpr std::uint8_t kPositionSlow = 6, kAltitudeCruise = 8, kAcro = 10, kStabilized = 15;
 constexpr std::uint8_t kAutopilotComponent = 1;
 constexpr double kMaxStamp_s = 1e10;
 
@@ -45,33 +38,6 @@ void no_infinities(Checks& checks, std::string_view field, const std::array<floa
     if (std::isinf(v)) checks.fail(field, std::to_string(v), "a number or NaN");
 }
 
-FlightMode mode_of(std::uint8_t nav_state) {
-  switch (nav_state) {
-    case vehicle::NAVIGATION_STATE_OFFBOARD:
-      return FlightMode::kOffboard;
-    case vehicle::NAVIGATION_STATE_AUTO_LOITER:
-      return FlightMode::kHold;
-    case vehicle::NAVIGATION_STATE_AUTO_TAKEOFF:
-      return FlightMode::kTakeOff;
-    case vehicle::NAVIGATION_STATE_AUTO_RTL:
-      return FlightMode::kReturn;
-    case vehicle::NAVIGATION_STATE_AUTO_LAND:
-      return FlightMode::kLand;
-    case vehicle::NAVIGATION_STATE_TERMINATION:
-      return FlightMode::kTermination;
-    case vehicle::NAVIGATION_STATE_MANUAL:
-    case vehicle::NAVIGATION_STATE_ALTCTL:
-    case vehicle::NAVIGATION_STATE_POSCTL:
-    case kPositionSlow:
-    case kAltitudeCruise:
-    case kAcro:
-    case kStabilized:
-      return FlightMode::kPilot;
-    default:
-      return FlightMode::kOther;
-  }
-}
-
 std::uint8_t nav_state_of(const AutopilotStatus& status) {
   switch (status.mode) {
     case FlightMode::kPilot:
@@ -93,6 +59,34 @@ std::uint8_t nav_state_of(const AutopilotStatus& status) {
   }
   return status.offboard ? vehicle::NAVIGATION_STATE_OFFBOARD
                          : vehicle::NAVIGATION_STATE_AUTO_LOITER;
+}
+
+FlightMode mode_of(std::uint8_t nav_state) {
+  switch (nav_state) {
+    case vehicle::NAVIGATION_STATE_OFFBOARD:
+      return FlightMode::kOffboard;
+    case vehicle::NAVIGATION_STATE_MANUAL:
+    case vehicle::NAVIGATION_STATE_ALTCTL:
+    case vehicle::NAVIGATION_STATE_POSCTL:
+    case vehicle::NAVIGATION_STATE_POSITION_SLOW:
+    case vehicle::NAVIGATION_STATE_ALTITUDE_CRUISE:
+    case vehicle::NAVIGATION_STATE_ACRO:
+    case vehicle::NAVIGATION_STATE_STAB:
+      return FlightMode::kPilot;
+    case vehicle::NAVIGATION_STATE_AUTO_LOITER:
+      return FlightMode::kHold;
+    case vehicle::NAVIGATION_STATE_AUTO_TAKEOFF:
+      return FlightMode::kTakeOff;
+    case vehicle::NAVIGATION_STATE_AUTO_RTL:
+      return FlightMode::kReturn;
+    case vehicle::NAVIGATION_STATE_AUTO_LAND:
+    case vehicle::NAVIGATION_STATE_DESCEND:
+      return FlightMode::kLand;
+    case vehicle::NAVIGATION_STATE_TERMINATION:
+      return FlightMode::kTermination;
+    default:
+      return FlightMode::kOther;
+  }
 }
 
 Quat quaternion(const std::array<float, 4>& wxyz) {
@@ -177,8 +171,11 @@ void to_idl(const AutopilotStatus& in, msg::VehicleStatus& out) {
   out.timestamp(microseconds(in.stamp_s));
   out.arming_state(in.armed ? vehicle::ARMING_STATE_ARMED : vehicle::ARMING_STATE_DISARMED);
   out.nav_state(nav_state_of(in));
+  out.nav_state_user_intention(nav_state_of(in));
   out.failsafe(in.failsafe);
   out.failsafe_and_user_took_over(in.user_took_over);
+  out.system_id(static_cast<std::uint8_t>(in.system_id));
+  out.component_id(kAutopilotComponent);
   out.pre_flight_checks_pass(true);
 }
 
@@ -188,11 +185,16 @@ Converted<AutopilotStatus> from_idl(const msg::VehicleStatus& in) {
   out.stamp_s = read_stamp(checks, in.timestamp());
   checks.enumerator("arming_state", in.arming_state(), vehicle::ARMING_STATE_ARMED);
   out.armed = in.arming_state() == vehicle::ARMING_STATE_ARMED;
-  out.offboard = in.nav_state() == vehicle::NAVIGATION_STATE_OFFBOARD;
   out.mode = mode_of(in.nav_state());
+  out.offboard = out.mode == FlightMode::kOffboard;
   out.failsafe = in.failsafe();
   out.user_took_over = in.failsafe_and_user_took_over();
+  out.system_id = in.system_id();
   return checks.result(out);
+}
+
+bool sticks_moved(const msg::ManualControlSetpoint& in) {
+  return in.valid() && in.sticks_moving();
 }
 
 void to_idl(const VehicleState& in, msg::VehicleLocalPosition& out) {
@@ -212,83 +214,6 @@ void to_idl(const VehicleState& in, msg::VehicleLocalPosition& out) {
   out.z_deriv(velocity[2]);
   out.heading(static_cast<float>(swap_yaw_enu_ned(in.yaw_rad())));
   out.heading_good_for_control(true);
-}
-
-void to_idl(AutopilotRequest request, double stamp_s, msg::VehicleCommand& out) {
-  out = {};
-  out.timestamp(microseconds(stamp_s));
-  out.target_system(1);
-  out.target_component(kAutopilotComponent);
-  out.source_system(1);
-  out.source_component(kAutopilotComponent);
-  out.from_external(true);
-  switch (request) {
-    case AutopilotRequest::kNone:
-      break;
-    case AutopilotRequest::kArm:
-      out.command(command::VEHICLE_CMD_COMPONENT_ARM_DISARM);
-      out.param1(1.0f);
-      break;
-    case AutopilotRequest::kOffboard:
-      out.command(command::VEHICLE_CMD_DO_SET_MODE);
-      out.param1(kCustomModeEnabled);
-      out.param2(kOffboardMainMode);
-      break;
-    case AutopilotRequest::kReturn:
-      out.command(command::VEHICLE_CMD_NAV_RETURN_TO_LAUNCH);
-      break;
-    case AutopilotRequest::kLand:
-      out.command(command::VEHICLE_CMD_NAV_LAND);
-      break;
-    case AutopilotRequest::kTakeOff:
-      out.command(command::VEHICLE_CMD_NAV_TAKEOFF);
-      out.param7(kNaN);  // as high as it takes off by itself
-      break;
-    case AutopilotRequest::kHold:
-      out.command(command::VEHICLE_CMD_DO_SET_MODE);
-      out.param1(kCustomModeEnabled);
-      out.param2(kAutoMainMode);
-      out.param3(kLoiterSubMode);
-      break;
-  }
-}
-
-namespace {
-
-AutopilotRequest read_mode(Checks& checks, const msg::VehicleCommand& in) {
-  if (in.param2() == kOffboardMainMode) return AutopilotRequest::kOffboard;
-  if (in.param2() != kAutoMainMode || in.param3() != kLoiterSubMode)
-    checks.fail("param2", std::to_string(in.param2()), "6 (offboard), or 4 with 3 (hold)");
-  return AutopilotRequest::kHold;
-}
-
-}  // namespace
-
-Converted<AutopilotRequest> from_idl(const msg::VehicleCommand& in) {
-  Checks checks;
-  read_stamp(checks, in.timestamp());
-  AutopilotRequest out = AutopilotRequest::kNone;
-  switch (in.command()) {
-    case command::VEHICLE_CMD_COMPONENT_ARM_DISARM:
-      if (in.param1() != 1.0f) checks.fail("param1", std::to_string(in.param1()), "1 (arm)");
-      out = AutopilotRequest::kArm;
-      break;
-    case command::VEHICLE_CMD_DO_SET_MODE:
-      out = read_mode(checks, in);
-      break;
-    case command::VEHICLE_CMD_NAV_RETURN_TO_LAUNCH:
-      out = AutopilotRequest::kReturn;
-      break;
-    case command::VEHICLE_CMD_NAV_LAND:
-      out = AutopilotRequest::kLand;
-      break;
-    case command::VEHICLE_CMD_NAV_TAKEOFF:
-      out = AutopilotRequest::kTakeOff;
-      break;
-    default:
-      checks.fail("command", std::to_string(in.command()), "20, 21, 22, 176 or 400");
-  }
-  return checks.result(out);
 }
 
 }  // namespace foretrack

@@ -2,13 +2,10 @@
 // The flight controller's messages: NED and FRD, microseconds of its clock, NaN = not controlled.
 #pragma once
 
-#include <optional>
-
 #include "core/common/vehicle.hpp"
-#include "core/safety/autopilot_watch.hpp"
+#include "px4_msgs/msg/ManualControlSetpoint.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
-#include "px4_msgs/msg/VehicleCommand.h"
 #include "px4_msgs/msg/VehicleLocalPosition.h"
 #include "px4_msgs/msg/VehicleOdometry.h"
 #include "px4_msgs/msg/VehicleStatus.h"
@@ -30,11 +27,9 @@ Converted<VehicleState> from_idl(const px4_msgs::msg::VehicleOdometry& in);
 void to_idl(const AutopilotStatus& status, px4_msgs::msg::VehicleStatus& out);
 Converted<AutopilotStatus> from_idl(const px4_msgs::msg::VehicleStatus& in);
 
-void to_idl(const VehicleState& state, px4_msgs::msg::VehicleLocalPosition& out);
+/// The pilot's sticks are there and have just been moved.
+bool sticks_moved(const px4_msgs::msg::ManualControlSetpoint& in);
 
-/// Precondition: the request is not kNone.
-void to_idl(AutopilotRequest request, double stamp_s, px4_msgs::msg::VehicleCommand& out);
-/// What we ask for, or a fault: another command, or other parameters.
-Converted<AutopilotRequest> from_idl(const px4_msgs::msg::VehicleCommand& in);
+void to_idl(const VehicleState& state, px4_msgs::msg::VehicleLocalPosition& out);
 
 }  // namespace foretrack

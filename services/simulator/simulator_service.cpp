@@ -6,11 +6,13 @@
 
 #include "services/convert/geometry.hpp"
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_command.hpp"
 
 namespace foretrack {
 namespace {
 
 constexpr double kStep_s = 0.01;
+constexpr std::size_t kMaxCommands = 16;
 constexpr double kMostBehind = 5.0;  // steps that are made up for
 
 double checked_speed(double speed) {
@@ -29,6 +31,7 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
       heartbeat_(service.node()),
       setpoint_(service.node()),
       command_(service.node()),
+      ack_(service.node()),
       clock_(service.node()),
       world_(service.node(), scenario, state_.world) {
   period_s_ = kStep_s / checked_speed(options.speed);
@@ -47,10 +50,17 @@ void SimulatorService::keep_pace() {
 
 void SimulatorService::step() {
   const SimulatorOutput& out = simulate(state_, take_input(), kStep_s);
+  if (out.answer) answer(*out.answer);
+  if (!commands_.empty()) commands_.pop_front();
   world_.publish(out);
   clock_.sample().clock(to_time(out.now_s));
   clock_.write();
   if (!options_.endless && out.now_s >= state_.scenario.duration_s) stop_.request();
+}
+
+void SimulatorService::answer(CommandResult result) {
+  to_ack(commands_.front(), result, state_.output.now_s, ack_.sample());
+  ack_.write();
 }
 
 AutopilotInput SimulatorService::take_input() {
@@ -58,20 +68,22 @@ AutopilotInput SimulatorService::take_input() {
   input.heartbeat = heartbeat_.take_newest() != nullptr;
   input.setpoint = setpoint_.take_newest_as(
       [](const px4_msgs::msg::TrajectorySetpoint& message) { return from_idl(message); });
-  take_commands(input);
+  input.command = take_command();
   return input;
 }
 
-void SimulatorService::take_commands(AutopilotInput& input) {
-  command_.take_each_as(
-      [](const px4_msgs::msg::VehicleCommand& message) { return from_idl(message); },
-      [&input](AutopilotRequest request) {
-        if (request == AutopilotRequest::kArm) input.arm = true;
-        if (request == AutopilotRequest::kOffboard) input.mode = AutopilotMode::kOffboard;
-        if (request == AutopilotRequest::kReturn) input.mode = AutopilotMode::kReturn;
-        if (request == AutopilotRequest::kLand) input.mode = AutopilotMode::kLand;
-        if (request == AutopilotRequest::kHold) input.mode = AutopilotMode::kHold;
-      });
+// One a step, in the order of their arrival; others wait.
+std::optional<AutopilotCommand> SimulatorService::take_command() {
+  command_.take_each([this](const px4_msgs::msg::VehicleCommand& message) {
+    if (commands_.size() < kMaxCommands) commands_.push_back(message);
+  });
+  if (commands_.empty()) return std::nullopt;
+  const auto command = from_idl(commands_.front());
+  if (command) return *command;
+  command_.refuse(command.fault());
+  if (commands_.front().target_system() == state_.autopilot.status.system_id)
+    answer(CommandResult::kUnsupported);
+  return std::nullopt;
 }
 
 void run_simulator(const ServiceOptions& options, const Scenario& scenario,

@@ -2,10 +2,13 @@
 // The simulator on the bus: vehicle, autopilot and cameras out, PX4's inputs in, at a steady pace.
 #pragma once
 
+#include <deque>
+
 #include "core/simulator/simulate.hpp"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"
+#include "px4_msgs/msg/VehicleCommandAck.h"
 #include "rosgraph_msgs/msg/Clock.h"
 #include "services/simulator/world_writer.hpp"
 
@@ -31,8 +34,9 @@ class SimulatorService {
  private:
   void keep_pace();
   void step();
+  void answer(CommandResult result);
   AutopilotInput take_input();
-  void take_commands(AutopilotInput& input);
+  std::optional<AutopilotCommand> take_command();
 
   Clock& clock_of_pace_;
   Stop& stop_;
@@ -43,6 +47,8 @@ class SimulatorService {
   Reader<topics::Px4OffboardControlMode> heartbeat_;
   Reader<topics::Px4TrajectorySetpoint> setpoint_;
   Reader<topics::Px4VehicleCommand> command_;
+  std::deque<px4_msgs::msg::VehicleCommand> commands_;  // the first is the step's
+  Writer<topics::Px4VehicleCommandAck> ack_;
   Writer<topics::Clock> clock_;
   WorldWriter world_;
 };

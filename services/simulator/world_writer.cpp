@@ -19,7 +19,8 @@ constexpr int kTruthSteps = 2;  // 50 Hz
 constexpr int kPositionSteps = 2;
 
 bool same(const AutopilotStatus& a, const AutopilotStatus& b) {
-  return a.armed == b.armed && a.offboard == b.offboard && a.failsafe == b.failsafe;
+  return a.armed == b.armed && a.mode == b.mode && a.failsafe == b.failsafe &&
+         a.user_took_over == b.user_took_over;
 }
 
 VehicleState as_odometry(const PersonState& person) {
@@ -38,6 +39,7 @@ WorldWriter::WorldWriter(Node& node, const Scenario& scenario, const World& worl
       px4_status_(node),
       px4_battery_(node),
       px4_flags_(node),
+      px4_sticks_(node),
       depth_(node),
       camera_info_(node),
       color_(node),
@@ -85,6 +87,12 @@ void WorldWriter::publish_autopilot(const SimulatorOutput& out) {
     offboard_possible_ = out.offboard_possible;
     to_flags(out.now_s, out.offboard_possible, out.battery.state().warning, px4_flags_.sample());
     px4_flags_.write();
+  }
+  if (out.autopilot.sticks_moved) {
+    px4_sticks_.sample().timestamp(static_cast<std::uint64_t>(1e6 * out.now_s));
+    px4_sticks_.sample().valid(true);
+    px4_sticks_.sample().sticks_moving(true);
+    px4_sticks_.write();
   }
   if (same(out.autopilot, autopilot_) && !every(kStatusSteps)) return;
   autopilot_ = out.autopilot;

@@ -10,6 +10,7 @@
 #include "nav_msgs/msg/Odometry.h"
 #include "px4_msgs/msg/BatteryStatus.h"
 #include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/ManualControlSetpoint.h"
 #include "px4_msgs/msg/VehicleLocalPosition.h"
 #include "px4_msgs/msg/VehicleOdometry.h"
 #include "px4_msgs/msg/VehicleStatus.h"
@@ -45,6 +46,7 @@ class WorldWriter {
   Writer<topics::Px4VehicleStatus> px4_status_;
   Writer<topics::Px4BatteryStatus> px4_battery_;
   Writer<topics::Px4FailsafeFlags> px4_flags_;
+  Writer<topics::Px4ManualControlSetpoint> px4_sticks_;
   std::optional<Writer<topics::TargetObservation>> observation_;  // not beside images
   Writer<topics::DepthImage> depth_;
   Writer<topics::DepthCameraInfo> camera_info_;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foretrack {
 namespace {
 
@@ -114,6 +116,18 @@ void read_bystander(YamlReader& r, BystanderSpec& bystander) {
 void read_vehicle(YamlReader& r, Scenario& s) {
   if (r.has("position_m")) r.point("position_m", s.vehicle_enu_m.emplace());
   r.number("yaw_rad", s.vehicle_yaw_rad, -2.0 * kPi, 2.0 * kPi);
+  r.flag("parked", s.parked);
+  r.integer("system_id", s.autopilot.system_id, 1, 255);
+}
+
+void read_incident(YamlReader& r, Incident& incident) {
+  int kind = 0, mode = static_cast<int>(incident.mode);
+  if (!r.has("what")) r.fault("what", "is needed");
+  r.number("at_s", incident.at_s, 0.0, 1e5);
+  r.choice("what", kIncidentNames, kind);
+  r.choice("mode", kFlightModeNames, mode);
+  incident.kind = static_cast<IncidentKind>(kind);
+  incident.mode = static_cast<FlightMode>(mode);
 }
 
 void read_sensors(YamlReader& r, Scenario& s) {
@@ -150,6 +164,9 @@ ScenarioFile read_scenario_file(YamlReader& r) {
   r.section("target", [&](YamlReader& t) { read_target(t, file); });
   r.list("bystanders", [&](YamlReader& b) { read_bystander(b, s.bystanders.emplace_back()); });
   r.section("vehicle", [&](YamlReader& v) { read_vehicle(v, s); });
+  auto& incidents = s.autopilot.incidents;
+  r.list("incidents", [&](YamlReader& i) { read_incident(i, incidents.emplace_back()); });
+  std::ranges::stable_sort(incidents, {}, &Incident::at_s);
   r.section("sensors", [&](YamlReader& v) { read_sensors(v, s); });
   r.section("wind", [&](YamlReader& w) { read_wind(w, s.wind); });
   int map = 0;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/safety/command_of.hpp"
 #include "services/common/time_now.hpp"
 #include "services/files/share/share.hpp"
 #include "services/offline/flight/camera_eye.hpp"
@@ -57,30 +58,11 @@ MetricParams metric_params_of(const TrackerParams& params) {
           .yaw_rate_max_rad_s = p.limits.yaw_rate_max_rad_s};
 }
 
-AutopilotInput command_of(const GateResult& gate) {
+AutopilotInput input_of(const GateResult& gate) {
   AutopilotInput command;
   command.heartbeat = gate.heartbeat;
   command.setpoint = gate.setpoint;
-  switch (gate.request) {
-    case AutopilotRequest::kNone:
-    case AutopilotRequest::kTakeOff:  // the simulated vehicle begins in the air
-      break;
-    case AutopilotRequest::kHold:
-      command.mode = AutopilotMode::kHold;
-      break;
-    case AutopilotRequest::kArm:
-      command.arm = true;
-      break;
-    case AutopilotRequest::kOffboard:
-      command.mode = AutopilotMode::kOffboard;
-      break;
-    case AutopilotRequest::kReturn:
-      command.mode = AutopilotMode::kReturn;
-      break;
-    case AutopilotRequest::kLand:
-      command.mode = AutopilotMode::kLand;
-      break;
-  }
+  command.command = command_of(gate.request, 1);
   return command;
 }
 
@@ -113,7 +95,7 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
     const TrackerOutput out = step(tracker, input, params);
     if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);
     if (watch) watch(out);
-    s.command = command_of(out.gate);
+    s.command = input_of(out.gate);
     write_decision(out, last, s.row);
   };
   return fly_pilot(scenario, pilot, metric_params_of(params), options);

@@ -11,7 +11,7 @@ namespace foretrack {
 MetricParams metric_params_of(const TrackerParams& params);
 
 /// What the gate wants, as the simulated autopilot takes it.
-AutopilotInput command_of(const GateResult& gate);
+AutopilotInput input_of(const GateResult& gate);
 
 /// Is shown what the tracker put out in each step.
 using TrackerWatch = std::function<void(const TrackerOutput&)>;

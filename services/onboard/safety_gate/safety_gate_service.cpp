@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
+#include "core/safety/command_of.hpp"
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
@@ -90,8 +92,8 @@ void SafetyGateService::command_autopilot(const GateResult& result, double now_s
     to_idl(*result.setpoint, setpoint_.sample());
     setpoint_.write();
   }
-  if (result.request != AutopilotRequest::kNone) {
-    to_idl(result.request, now_s, request_.sample());
+  if (const auto command = command_of(result.request, autopilot_.system_id)) {
+    to_idl(*command, now_s, request_.sample());
     request_.write();
   }
 }

@@ -81,7 +81,7 @@ TEST(Simulate, HoversUntilItIsCommandedThenFliesSetpoints) {
   EXPECT_LT((state.output.vehicle.position_enu_m - start).norm(), 1e-3);
   AutopilotInput input;
   input.heartbeat = true;
-  input.mode = AutopilotMode::kOffboard;
+  input.command = {.mode = FlightMode::kOffboard};
   input.setpoint = Setpoint{.position_enu_m = start + Vec3(0, 1, 0.5)};
   for (int i = 0; i < 800; ++i) simulate(state, input, 0.01);
   EXPECT_TRUE(state.output.autopilot.offboard);

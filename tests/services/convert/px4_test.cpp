@@ -112,15 +112,44 @@ TEST(VehicleOdometry, RefusesEachBadField) {
 }
 
 TEST(VehicleStatus, RoundTripsAndKnowsOffboardFromOtherModes) {
-  AutopilotStatus in{.stamp_s = 4.0, .armed = true, .offboard = true, .failsafe = false};
+  AutopilotStatus in{.stamp_s = 4.0,
+                     .armed = true,
+                     .offboard = true,
+                     .mode = FlightMode::kOffboard,
+                     .system_id = 7};
   auto out = from_idl(message<msg::VehicleStatus>(in));
   ASSERT_TRUE(out) << out.fault().text;
   EXPECT_EQ(out->stamp_s, 4.0);
-  EXPECT_TRUE(out->armed && out->offboard && !out->failsafe);
-  in = {.stamp_s = 5.0, .armed = false, .offboard = false, .failsafe = true};
+  EXPECT_TRUE(out->armed && out->offboard && !out->failsafe && !out->user_took_over);
+  EXPECT_EQ(out->system_id, 7);
+  in = {.stamp_s = 5.0, .failsafe = true, .mode = FlightMode::kPilot, .user_took_over = true};
   out = from_idl(message<msg::VehicleStatus>(in));
   ASSERT_TRUE(out);
-  EXPECT_TRUE(!out->armed && !out->offboard && out->failsafe);
+  EXPECT_TRUE(!out->armed && !out->offboard && out->failsafe && out->user_took_over);
+  EXPECT_EQ(out->mode, FlightMode::kPilot);
+}
+
+TEST(VehicleStatus, KnowsWhoFliesInEveryModeOfPx4) {
+  const std::map<int, FlightMode> modes = {
+      {0, FlightMode::kPilot},     {1, FlightMode::kPilot},  {2, FlightMode::kPilot},
+      {3, FlightMode::kOther},     {4, FlightMode::kHold},   {5, FlightMode::kReturn},
+      {6, FlightMode::kPilot},     {10, FlightMode::kPilot}, {12, FlightMode::kLand},
+      {14, FlightMode::kOffboard}, {15, FlightMode::kPilot}, {17, FlightMode::kTakeOff},
+      {18, FlightMode::kLand},     {19, FlightMode::kOther}, {13, FlightMode::kTermination}};
+  for (const auto& [number, mode] : modes) {
+    auto m = message<msg::VehicleStatus>(AutopilotStatus{.stamp_s = 1.0});
+    m.nav_state(static_cast<std::uint8_t>(number));
+    EXPECT_EQ(from_idl(m)->mode, mode) << number;
+    EXPECT_EQ(from_idl(m)->offboard, number == 14) << number;
+  }
+}
+
+TEST(ManualControlSetpoint, CountsOnlyWhereItIsValid) {
+  msg::ManualControlSetpoint m;
+  m.sticks_moving(true);
+  EXPECT_FALSE(sticks_moved(m));
+  m.valid(true);
+  EXPECT_TRUE(sticks_moved(m));
 }
 
 TEST(VehicleStatus, EachModeRoundTrips) {
@@ -143,32 +172,6 @@ TEST(VehicleStatus, RefusesAnUnknownArmingState) {
   auto m = message<msg::VehicleStatus>(AutopilotStatus{.stamp_s = 1.0});
   m.arming_state(3);
   EXPECT_FALSE(from_idl(m));
-}
-
-TEST(VehicleCommand, EachRequestRoundTrips) {
-  for (const auto request :
-       {AutopilotRequest::kArm, AutopilotRequest::kOffboard, AutopilotRequest::kReturn,
-        AutopilotRequest::kLand, AutopilotRequest::kTakeOff, AutopilotRequest::kHold}) {
-    msg::VehicleCommand m;
-    to_idl(request, 1.0, m);
-    EXPECT_TRUE(m.from_external());
-    const auto out = from_idl(m);
-    ASSERT_TRUE(out) << out.fault().text;
-    EXPECT_EQ(*out, request);
-  }
-}
-
-TEST(VehicleCommand, RefusesWhatWeNeverAskFor) {
-  using M = msg::VehicleCommand;
-  M good;
-  to_idl(AutopilotRequest::kArm, 1.0, good);
-  testing::expect_each_refused<M>(good,
-                                  {
-                                      {"command", [](M& m) { m.command(23); }},
-                                      {"param1", [](M& m) { m.param1(0.0f); }},
-                                      {"param2", [](M& m) { m.command(176), m.param2(4.0f); }},
-                                  },
-                                  [](const M& m) { return from_idl(m); });
 }
 
 TEST(VehicleLocalPosition, IsInNed) {

@@ -4,6 +4,7 @@
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_command.hpp"
 #include "services/convert/target.hpp"
 #include "tests/services/onboard/neighbours.hpp"
 #include "tests/support/mannequin.hpp"
@@ -95,7 +96,8 @@ TEST_F(SimulatorOnDds, IsFlownOverPx4sTopics) {
     to_heartbeat(neighbours_.now_s(), heartbeat.sample());
     heartbeat.write();
     if (!offboard) {
-      to_idl(AutopilotRequest::kOffboard, neighbours_.now_s(), command.sample());
+      to_idl(AutopilotCommand{.mode = FlightMode::kOffboard}, neighbours_.now_s(),
+             command.sample());
       command.write();
     }
     Setpoint to;
@@ -118,6 +120,33 @@ TEST_F(SimulatorOnDds, IsFlownOverPx4sTopics) {
         return offboard && (vehicle.position_enu_m - Vec3(-2.0, -1.0, 2.0)).norm() < 0.2;
       },
       fly));
+}
+
+TEST_F(SimulatorOnDds, AnswersCommandsToItsSystemAndNoOthers) {
+  Node& node = neighbours_.node();
+  Writer<topics::Px4VehicleCommand> command(node);
+  Reader<topics::Px4VehicleCommandAck> acks(node);
+  px4_msgs::msg::VehicleCommand ours;
+  to_idl(AutopilotCommand{.mode = FlightMode::kLand}, neighbours_.now_s(), ours);
+  bool answered = false, refused = false;
+  EXPECT_TRUE(neighbours_.until(
+      [&] {
+        acks.take_each([&](const px4_msgs::msg::VehicleCommandAck& ack) {
+          EXPECT_NE(ack.target_system(), 2);
+          answered |= answers(ack, ours) && result_of(ack) == CommandResult::kAccepted;
+          refused |= ack.command() == 9999 && result_of(ack) == CommandResult::kUnsupported;
+        });
+        return answered && refused;
+      },
+      [&] {
+        command.sample() = ours;
+        command.write();
+        command.sample().command(9999);
+        command.write();
+        to_idl(AutopilotCommand{.mode = FlightMode::kHold, .target_system = 2},
+               neighbours_.now_s(), command.sample());
+        command.write();
+      }));
 }
 
 TEST(Simulator, PublishesColourImagesInsteadOfLandmarksWhenAsked) {

@@ -29,7 +29,7 @@ void chase(PilotStep s) {
   setpoint.velocity_enu_m_s = target.velocity_enu_m_s;
   setpoint.yaw_rad = target.body_yaw_rad;
   s.command.heartbeat = true;
-  s.command.mode = AutopilotMode::kOffboard;
+  s.command.command = {.mode = FlightMode::kOffboard};
   s.command.setpoint = s.row.setpoint = setpoint;
 }
 

@@ -2,6 +2,7 @@
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
 #include "services/convert/px4.hpp"
+#include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
@@ -91,11 +92,11 @@ class SafetyGateOnDds : public ::testing::Test {
   Running service_{[](const ServiceOptions& options, Stop& stop) {
     run_safety_gate(options, SafetyParams{}, stop);
   }};
-  AutopilotStatus autopilot_{.armed = true, .offboard = true};
+  AutopilotStatus autopilot_{.armed = true, .offboard = true, .mode = FlightMode::kOffboard};
   std::uint64_t plan_id_ = 100;
   GateReport report_;
   Setpoint setpoint_;
-  AutopilotRequest request_ = AutopilotRequest::kNone;
+  std::optional<AutopilotCommand> request_;
   bool heard_ = false;
   int setpoints_ = 0, heartbeats_ = 0;
 };
@@ -118,10 +119,11 @@ TEST_F(SafetyGateOnDds, FliesThePlanAndNamesTheDataBehindIt) {
 
 TEST_F(SafetyGateOnDds, SendsNoSetpointBeforeOffboardButAsksForIt) {
   autopilot_.offboard = false;
+  autopilot_.mode = FlightMode::kHold;
   ASSERT_TRUE(neighbours_.until(
       [&] {
         listen();
-        return heartbeats_ > 0 && request_ == AutopilotRequest::kOffboard;
+        return heartbeats_ > 0 && request_ && request_->mode == FlightMode::kOffboard;
       },
       [&] { feed(); }));
   EXPECT_EQ(setpoints_, 0);
@@ -129,6 +131,7 @@ TEST_F(SafetyGateOnDds, SendsNoSetpointBeforeOffboardButAsksForIt) {
 
 TEST_F(SafetyGateOnDds, SaysWhyTheAutopilotWouldRefuseOffboard) {
   autopilot_.offboard = false;
+  autopilot_.mode = FlightMode::kHold;
   Writer<topics::Px4FailsafeFlags> flags(neighbours_.node());
   std::string text;
   ASSERT_TRUE(neighbours_.until(
