@@ -37,7 +37,7 @@ void measure(int width_px, int height_px) {
     history.add(vehicle);
     const DepthImage image = test::render(world, vehicle, camera);
     const double before_s = cpu_s();
-    update_map(state, image, history, nullptr, params);
+    update_map(state, image, history, {}, params);
     ms.push_back(1e3 * (cpu_s() - before_s));
   }
   std::sort(ms.begin(), ms.end());

@@ -51,19 +51,21 @@ void classify_all(MappingState& state) {
   std::transform(state.log_odds.begin(), state.log_odds.end(), state.map.cells.begin(), class_of);
 }
 
-// Moves what the old and the new box share to its new place; the rest is unknown.
-void shift_cells(MappingState& state, const Vec3i& shift) {
-  const Vec3i size = state.map.size;
-  state.shifted.assign(state.log_odds.size(), kUnknownLogOdds);
-  const Vec3i low = (-shift).cwiseMax(0), high = (size - shift).cwiseMin(size);
+// Moves what the old and the new box share to its new place; the rest is `unknown`. `spare` is
+// the memory of the next call.
+template <class T>
+void shift_cells(const GridMap& map, const Vec3i& shift, T unknown, std::vector<T>& values,
+                 std::vector<T>& spare) {
+  spare.assign(values.size(), unknown);
+  const Vec3i low = (-shift).cwiseMax(0), high = (map.size - shift).cwiseMin(map.size);
   for (int z = low.z(); z < high.z(); ++z)
     for (int y = low.y(); y < high.y(); ++y) {
       if (low.x() >= high.x()) continue;
-      const std::size_t to = state.map.offset_of({low.x(), y, z});
-      const std::size_t from = state.map.offset_of(Vec3i(low.x(), y, z) + shift);
-      std::copy_n(state.log_odds.begin() + from, high.x() - low.x(), state.shifted.begin() + to);
+      const std::size_t to = map.offset_of({low.x(), y, z});
+      const std::size_t from = map.offset_of(Vec3i(low.x(), y, z) + shift);
+      std::copy_n(values.begin() + from, high.x() - low.x(), spare.begin() + to);
     }
-  std::swap(state.log_odds, state.shifted);
+  std::swap(values, spare);
 }
 
 // Reads the slabs of the box that were outside it before the shift, an axis at a time.
@@ -128,7 +130,8 @@ bool follow_vehicle(MappingState& state, const Vec3& vehicle_enu_m, const Mappin
     reload_box(state, params);
     return true;
   }
-  shift_cells(state, shift);
+  shift_cells(state.map, shift, kUnknownLogOdds, state.log_odds, state.shifted);
+  shift_cells(state.map, shift, kNeverFree_s, state.free_s, state.shifted_free_s);
   read_new_slabs(state, shift, params);
   classify_all(state);
   return true;

@@ -8,6 +8,7 @@ namespace foretrack {
 
 /// Stands in MappingState::log_odds for a cell of which nothing is known.
 inline constexpr std::int8_t kUnknownLogOdds = -128;
+inline constexpr float kNeverFree_s = -1e9F;
 
 /// The box's size in cells, at least one on each axis.
 Eigen::Vector3i box_size(const MappingParams& params);

@@ -23,10 +23,14 @@ struct MappingParams {
   double miss_log_odds = 0.4;
   double min_log_odds = -2.0;
   double max_log_odds = 2.5;
+  // What moves.
+  double mover_lately_s = 1.5;
+  double mover_height_m = 0.5;
+  double mover_radius_m = 0.8;
+  double mover_sigma_m = 0.1;
   // What is not an obstacle.
-  double target_radius_m = 0.5;
-  double target_above_m = 1.0;
-  double target_below_m = 1.4;
+  double body_margin_m = 0.25;
+  double body_moves_m_s = 0.3;
   double vehicle_bubble_m = 0.6;
   double start_bubble_m = 0.8;
   double vehicle_reach_m = 1.0;

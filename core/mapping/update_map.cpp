@@ -16,29 +16,44 @@ using Vec3i = Eigen::Vector3i;
 
 enum Mark : std::uint8_t { kUntouched, kPassed, kHit };
 
-// A vertical cylinder in which returns are the target's.
-struct TargetBody {
-  bool present = false;
-  Vec3 torso_enu_m = Vec3::Zero();
-  double radius_m = 0.0, above_m = 0.0, below_m = 0.0;
+// A cylinder about a moving body, in which returns are its own.
+struct BodyRoom {
+  Vec3 foot_enu_m;
+  double radius_m, below_m, above_m;
+  bool followed;
 
   bool contains(const Vec3& p) const {
-    const double height_m = p.z() - torso_enu_m.z();
-    return present && height_m <= above_m && height_m >= -below_m &&
-           (p - torso_enu_m).head<2>().squaredNorm() <= radius_m * radius_m;
+    const Vec3 offset = p - foot_enu_m;
+    return offset.z() <= above_m && offset.z() >= -below_m &&
+           offset.head<2>().squaredNorm() <= radius_m * radius_m;
   }
 };
 
-TargetBody body_at(const TargetState* target, double stamp_s, const MappingParams& params) {
-  TargetBody body;
-  if (target == nullptr || !target->usable()) return body;
-  body.present = true;
-  body.torso_enu_m =
-      target->position_enu_m + (stamp_s - target->stamp_s) * target->velocity_enu_m_s;
-  body.radius_m = params.target_radius_m;
-  body.above_m = params.target_above_m;
-  body.below_m = params.target_below_m;
-  return body;
+struct BodyRooms {
+  std::array<BodyRoom, MovingBodies::kCapacity> rooms;
+  int count = 0;
+
+  /// Null: the point is in none.
+  const BodyRoom* find(const Vec3& p) const {
+    for (int k = 0; k < count; ++k)
+      if (rooms[k].contains(p)) return &rooms[k];
+    return nullptr;
+  }
+};
+
+// What stands still and may be no person is an obstacle like any other.
+BodyRooms rooms_of(std::span<const MovingBody> bodies, double stamp_s,
+                   const MappingParams& params) {
+  BodyRooms all;
+  for (const MovingBody& body : bodies) {
+    const bool moves = body.velocity_enu_m_s.head<2>().norm() >= params.body_moves_m_s;
+    if (body.kind == BodyKind::kUnknown && !moves) continue;
+    if (all.count == MovingBodies::kCapacity) break;
+    all.rooms[all.count++] = {body.expected_at(stamp_s), body.radius_m + params.body_margin_m,
+                              params.body_margin_m, body.height_m + params.body_margin_m,
+                              body.followed};
+  }
+  return all;
 }
 
 // One image's rays, from the camera's place into the box.
@@ -47,7 +62,7 @@ struct Scan {
   const DepthImage& image;
   const MappingParams& params;
   Pose T_world_camera;
-  TargetBody target;
+  BodyRooms bodies;
 
   // In the camera, at z = 1.
   Vec3 ray_of(int u, int v) const {
@@ -76,8 +91,29 @@ struct Scan {
     if (in_camera.squaredNorm() > params.max_range_m * params.max_range_m) return false;
     const Vec3 point = T_world_camera * in_camera;
     const Vec3i cell = state.map.index_of(point);
-    if (!state.map.contains(cell) || target.contains(point)) return false;
+    if (!state.map.contains(cell)) return false;
+    const BodyRoom* body = bodies.find(point);
+    if (body && body->followed) return false;
+    if (is_open(cell) && is_open_around(cell)) add_return(state.mover_columns, state.map, point);
+    if (body) return false;
     mark(state.map.offset_of(cell), kHit);
+    return true;
+  }
+
+  // Free, or free until lately.
+  bool is_open(const Vec3i& cell) const {
+    if (!state.map.contains(cell)) return false;
+    const std::size_t offset = state.map.offset_of(cell);
+    if (state.map.cells[offset] == static_cast<std::uint8_t>(Cell::kFree)) return true;
+    return image.stamp_s - state.first_s - state.free_s[offset] <= params.mover_lately_s;
+  }
+
+  // Beside a wall a cell may be seen free although the wall is in it; one of its neighbours is the
+  // wall's inside, which is never seen free.
+  bool is_open_around(const Vec3i& cell) const {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (!is_open(cell + Vec3i(dx, dy, 0))) return false;
     return true;
   }
 
@@ -144,9 +180,10 @@ struct Scan {
   }
 };
 
-int apply_marks(MappingState& state, const MappingParams& params) {
+int apply_marks(MappingState& state, double stamp_s, const MappingParams& params) {
   const int hit = log_odds_steps(params.hit_log_odds), miss = log_odds_steps(params.miss_log_odds);
   const int low = log_odds_steps(params.min_log_odds), high = log_odds_steps(params.max_log_odds);
+  const auto now_s = static_cast<float>(stamp_s - state.first_s);
   int changed = 0;
   for (const std::uint32_t offset : state.touched) {
     const int change = state.marks[offset] == kHit ? hit : -miss;
@@ -154,6 +191,7 @@ int apply_marks(MappingState& state, const MappingParams& params) {
     const int sum = (before == kUnknownLogOdds ? 0 : before) + change;
     const auto after = static_cast<std::int8_t>(std::clamp(sum, low, high));
     if (after != before) changed += set_log_odds(state, offset, after);
+    if (after < 0) state.free_s[offset] = now_s;
     state.marks[offset] = kUntouched;
   }
   return changed;
@@ -203,7 +241,11 @@ MappingState::MappingState(const MappingParams& params) {
   map.resolution_m = params.resolution_m;
   map.size = box_size(params);
   log_odds.assign(map.cell_count(), kUnknownLogOdds);
+  free_s.assign(map.cell_count(), kNeverFree_s);
   marks.assign(map.cell_count(), kUntouched);
+  mover_columns.columns.resize(static_cast<std::size_t>(map.size.x()) * map.size.y());
+  mover_columns.touched.reserve(mover_columns.columns.size());
+  mover_columns.stack.reserve(mover_columns.columns.size());
   touched.reserve(map.cell_count());
   base.setZero();
 }
@@ -219,7 +261,7 @@ std::string_view to_string(MapStatus status) {
 }
 
 MapUpdate update_map(MappingState& state, const DepthImage& image, const VehicleHistory& vehicle,
-                     const TargetState* target, const MappingParams& params) {
+                     std::span<const MovingBody> bodies, const MappingParams& params) {
   MapUpdate update;
   const CameraModel& camera = image.camera;
   if (camera.width_px <= 0 || camera.height_px <= 0 ||
@@ -233,17 +275,22 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
     return update;
   }
   const bool starts = !state.placed;
-  if (starts)
+  if (starts) {
     state.map.cells.assign(state.map.cell_count(), static_cast<std::uint8_t>(Cell::kUnknown));
+    state.first_s = image.stamp_s;
+  }
   update.scrolled = follow_vehicle(state, at_image->position_enu_m, params);
 
   Scan scan{state, image, params, at_image->T_world_body() * camera.T_body_camera,
-            body_at(target, image.stamp_s, params)};
+            rooms_of(bodies, image.stamp_s, params)};
   state.touched.clear();
   update.hits = scan.mark_hits();
+  find_movers(state.mover_columns, state.map, scan.T_world_camera.translation(), params,
+              state.movers);
+  state.movers.stamp_s = image.stamp_s;
   update.rays = scan.mark_rays();
   update.touched_cells = static_cast<int>(state.touched.size());
-  update.changed_cells = apply_marks(state, params);
+  update.changed_cells = apply_marks(state, image.stamp_s, params);
   // The vehicle is there, so it is free, though the camera never sees it.
   const Vec3& place = at_image->position_enu_m;
   const double bubble_m = starts ? params.start_bubble_m : params.vehicle_bubble_m;

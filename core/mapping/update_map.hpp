@@ -4,13 +4,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/common/camera.hpp"
 #include "core/common/grid_map.hpp"
-#include "core/common/target.hpp"
 #include "core/common/vehicle.hpp"
+#include "core/mapping/find_movers.hpp"
 #include "core/mapping/params.hpp"
 
 namespace octomap {
@@ -46,13 +47,18 @@ struct MappingState {
 
   GridMap map;                            ///< the box, with classes and distances
   std::vector<std::int8_t> log_odds;      ///< of the box's cells, in steps of 0.05; −128: unknown
+  std::vector<float> free_s;              ///< when a ray last found the cell free, after first_s
+  double first_s = 0.0;                   ///< stamp of the first image
   std::unique_ptr<octomap::OcTree> tree;  ///< all that was seen
   Eigen::Vector3i base;                   ///< octree index of the box's cell (0, 0, 0)
   bool placed = false;                    ///< the box has its first place
+  BodySightings movers;                   ///< what moves, in the newest image
 
   std::vector<std::uint8_t> marks;     ///< workspace of one update
   std::vector<std::uint32_t> touched;  ///< workspace of one update
   std::vector<std::int8_t> shifted;    ///< workspace of one update
+  std::vector<float> shifted_free_s;   ///< workspace of one update
+  MoverColumns mover_columns;          ///< workspace of one update
   DistanceWorkspace distances;         ///< workspace of one update
 };
 
@@ -60,7 +66,7 @@ struct MappingState {
 struct MapUpdate {
   MapStatus status = MapStatus::kUpdated;
   bool scrolled = false;  ///< the box moved with the vehicle
-  int hits = 0;           ///< returns in the box and within range, without the target's
+  int hits = 0;           ///< returns in the box and within range, without those of moving bodies
   int rays = 0;           ///< rays that were cast
   int touched_cells = 0;  ///< cells that were hit or passed
   int changed_cells = 0;  ///< cells that became occupied or free
@@ -70,9 +76,10 @@ struct MapUpdate {
 /// it from the vehicle's pose at the image's stamp (Amanatides and Woo 1987), and renews the
 /// distances. A cell that is both hit and passed in one image is hit.
 ///
-/// Returns from the target's body are no obstacles, but the way to them is seen to be free. The
-/// body is a cylinder around `target`, moved to where the target is at the image's stamp. Null:
-/// there is no target.
+/// Returns from moving bodies (the followed person, other people, what else moves) are no
+/// obstacles, but the way to them is seen to be free. A body is a cylinder where it is expected at
+/// the image's stamp, a margin wider. What stands in the open, where it is free or was until lately
+/// all around, is in state.movers afterwards; the followed person is not.
 ///
 /// Unknown cells right around the vehicle and before its camera become free: it is there, and a
 /// camera does not see them.
@@ -80,7 +87,7 @@ struct MapUpdate {
 /// Cost: about 5 ms for 640 × 480 pixels with the defaults. Only the octree allocates after
 /// warm-up.
 MapUpdate update_map(MappingState& state, const DepthImage& image, const VehicleHistory& vehicle,
-                     const TargetState* target, const MappingParams& params);
+                     std::span<const MovingBody> bodies, const MappingParams& params);
 
 /// The box around the vehicle. It is empty before the first update.
 const GridMap& local_map(const MappingState& state);

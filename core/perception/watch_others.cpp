@@ -22,7 +22,7 @@ bool is_near(const PoseState& state, const Vec2& torso_px, double ratio) {
 }
 
 void follow_other(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
-                  const PerceptionParams& params) {
+                  const PerceptionParams& params, std::vector<OtherPerson>& seen_now) {
   PersonMemory& other = state.other;
   const TorsoPlace place = place_at(other, stamp_s);
   if (stamp_s - other.seen_s > kForgotten_s || !is_near(state, place.px, kFar)) {
@@ -38,6 +38,12 @@ void follow_other(PoseState& state, const RgbImage& image, double stamp_s, PoseN
   if (theirs > unlikeness(state.chosen, state.place, stamp_s, *pose, seen)) return;
   if ((pose->torso_px() - place.px).norm() > params.jump_ratio * other.size_px) return;
   remember(other, *pose, seen, stamp_s, !is_near(state, place.px, kApart));
+  seen_now.push_back({pose->region, *pose});
+}
+
+bool is_other(const PoseState& state, const Vec2& torso_px, double stamp_s) {
+  const double apart_px = (torso_px - place_at(state.other, stamp_s).px).norm();
+  return state.other.known() && apart_px < kSameDetected * state.other.size_px;
 }
 
 // The nearest one who is neither the chosen person nor the other one.
@@ -50,16 +56,14 @@ const Detection* nearest_new(const PoseState& state, const std::vector<Detection
   for (const Detection& person : people) {
     const double distance = (person.torso_px() - state.place.px).norm();
     if (distance >= least || is_near(state, person.torso_px(), kSameDetected)) continue;
-    if (state.other.known() &&
-        (person.torso_px() - other_px).norm() < kSameDetected * state.other.size_px)
-      continue;
+    if (is_other(state, person.torso_px(), stamp_s)) continue;
     least = distance, nearest = &person;
   }
   return nearest;
 }
 
 void look_around(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
-                 const PerceptionParams& params) {
+                 const PerceptionParams& params, std::vector<OtherPerson>& seen_now) {
   state.watched_s = stamp_s;
   const ImageRegion whole = whole_of(image);
   const double side_px = kAround * state.chosen.size_px;
@@ -69,23 +73,30 @@ void look_around(PoseState& state, const RgbImage& image, double stamp_s, PoseNe
                                  : whole;
   const auto people = detect_people(image, window, *network.detector, params.min_detection_score);
   const Detection* person = nearest_new(state, people, stamp_s);
+  for (const Detection& d : people)
+    if (&d != person && !is_near(state, d.torso_px(), kSameDetected) &&
+        !is_other(state, d.torso_px(), stamp_s))
+      seen_now.push_back({region_of_body(d), std::nullopt});
   if (!person) return;
   const auto pose =
       find_landmarks(image, region_of_body(*person), *network.landmarks, params.min_pose_score);
   if (!pose || is_near(state, pose->torso_px(), kSame)) return;
   state.other = {};
   remember(state.other, *pose, appearance_of(image, *pose), stamp_s, true);
+  seen_now.push_back({pose->region, *pose});
 }
 
 }  // namespace
 
-void watch_others(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
-                  const PerceptionParams& params) {
-  if (!state.chosen.known() || !is_picture(image)) return;
-  if (state.other.known()) follow_other(state, image, stamp_s, network, params);
+std::vector<OtherPerson> watch_others(PoseState& state, const RgbImage& image, double stamp_s,
+                                      PoseNetwork& network, const PerceptionParams& params) {
+  std::vector<OtherPerson> others;
+  if (!state.chosen.known() || !is_picture(image)) return others;
+  if (state.other.known()) follow_other(state, image, stamp_s, network, params, others);
   const bool seen_now = state.chosen.seen_s == stamp_s;
   if (seen_now && stamp_s - state.watched_s >= params.watch_period_s)
-    look_around(state, image, stamp_s, network, params);
+    look_around(state, image, stamp_s, network, params, others);
+  return others;
 }
 
 }  // namespace foretrack

@@ -17,6 +17,7 @@ PlanInput without_stale(PlanInput in, const HorizonParams& params) {
   if (in.target.usable() && is_stale(&in.target)) in.target.status = TrackStatus::kLost;
   if (is_stale(in.intention)) in.intention = nullptr;
   if (is_stale(in.prediction)) in.prediction = nullptr;
+  if (is_stale(in.bodies)) in.bodies = nullptr;
   if (in.map != nullptr && !is_usable(*in.map, in.now_s, params.map_stale_s)) in.map = nullptr;
   return in;
 }

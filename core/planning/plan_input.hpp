@@ -22,8 +22,8 @@ struct PlanInput {
   const MovingBodies* bodies = nullptr;            // everybody who moves; null: nobody is known
 };
 
-/// The same without what has come too long ago: a stale target is lost; a stale prediction,
-/// intention or map is null. A map with stamp 0 is known and never too old.
+/// The same without what has come too long ago: a stale target is lost; stale predictions,
+/// intentions, bodies or maps are null. A map with stamp 0 is known and never too old.
 PlanInput without_stale(PlanInput input, const HorizonParams& params);
 
 }  // namespace foretrack

@@ -29,14 +29,25 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   // A camera that is always late does not make the target a hidden one.
   out.target.status =
       track_status(state.perception, input.now_s - state.delay_s, params.perception);
-  if (input.depth)
-    update_map(state.mapping, *input.depth, state.vehicles, &out.target, params.mapping);
+  if (input.depth) {
+    update_map(state.mapping, *input.depth, state.vehicles, state.around.all(), params.mapping);
+    track_bodies(state.bodies, state.mapping.movers, out.target, params.bodies);
+  }
+  if (input.sightings)
+    track_bodies(state.bodies, *input.sightings, out.target, params.bodies, input.looks);
   out.map = map_of(state, input);
 
+  const bool plans = out.map && input.now_s >= state.next_plan_s;
+  if (plans) out.prediction = &predict(state.prediction, out.target, *out.map, params.prediction);
+  const Followed followed{out.target, &state.prediction.result.prediction,
+                          params.perception.target_height_m};
+  bodies_around(state.bodies, input.now_s, followed, input.vehicle.position_enu_m, params.bodies,
+                state.around);
+  out.bodies = &state.around;
+
   const PlannedTrajectory* fresh = nullptr;
-  if (out.map && input.now_s >= state.next_plan_s) {
+  if (plans) {
     state.next_plan_s = input.now_s + params.planning.horizon.plan_period_s - 1e-6;
-    out.prediction = &predict(state.prediction, out.target, *out.map, params.prediction);
     out.plan = &plan(state.planning,
                      {.now_s = input.now_s,
                       .vehicle = input.vehicle,
@@ -44,7 +55,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .intention = &out.prediction->intention,
                       .prediction = &out.prediction->prediction,
                       .map = out.map,
-                      .bodies = input.bodies},
+                      .bodies = out.bodies},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;
@@ -59,6 +70,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   in.command = input.command;
   in.map = out.map;
   in.map_at_s = input.now_s;
+  in.bodies = out.bodies;
+  in.bodies_at_s = input.now_s;
   out.gate = gate(state.gate, in, params.safety);
   return out;
 }

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "core/bodies/bodies_around.hpp"
 #include "core/mapping/update_map.hpp"
 #include "core/perception/perceive.hpp"
 #include "core/planning/plan.hpp"
@@ -17,6 +18,7 @@ namespace foretrack {
 struct TrackerParams {
   PerceptionParams perception;
   MappingParams mapping;
+  BodyParams bodies;
   PredictionParams prediction;
   PlanningParams planning;
   SafetyParams safety;
@@ -33,9 +35,10 @@ struct TrackerInput {
   /// torso_surface_depth_m()). NaN: not measured.
   double torso_depth_m = std::numeric_limits<double>::quiet_NaN();
   const DepthImage* depth = nullptr;
-  const GridMap* known_map = nullptr;       ///< null: plans are made in the map built from depth
-  const MovingBodies* bodies = nullptr;     ///< people and vehicles around; null: nobody
-  const MissionCommand* command = nullptr;  ///< an operator's order
+  const GridMap* known_map = nullptr;        ///< null: plans are made in the map built from depth
+  const BodySightings* sightings = nullptr;  ///< of others, by a detector; empty: of nobody
+  std::span<const PersonLook> looks = {};    ///< of the sightings one by one; may be empty
+  const MissionCommand* command = nullptr;   ///< an operator's order
 };
 
 /// All that is kept from step to step. One for each vehicle.
@@ -45,6 +48,8 @@ struct TrackerState {
   VehicleHistory vehicles;
   PerceptionState perception;
   MappingState mapping;
+  BodiesState bodies;
+  MovingBodies around;  ///< at the last step
   PredictionState prediction;
   PlanningState planning;
   GateState gate;
@@ -58,12 +63,13 @@ struct TrackerOutput {
   TargetState target;                            ///< predicted on to now_s
   const PredictionResult* prediction = nullptr;  ///< null: none was made in this step
   const PlanResult* plan = nullptr;              ///< null: none was made in this step
-  const GridMap* map = nullptr;  ///< that plans are made in; null: there is none yet
-  bool planned = false;          ///< prediction and plan were made in this step
-  GateResult gate;               ///< what the flight controller is to be given
+  const GridMap* map = nullptr;          ///< that plans are made in; null: there is none yet
+  const MovingBodies* bodies = nullptr;  ///< around the vehicle, the followed person among them
+  bool planned = false;                  ///< prediction and plan were made in this step
+  GateResult gate;                       ///< what the flight controller is to be given
 };
 
-/// perceive → update map → predict → plan → gate. Predictions and plans are made once in
+/// perceive → update map → track bodies → predict → plan → gate. Predictions and plans are made once in
 /// planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's rate (100 Hz).
 /// Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with a plan 1 ms
 /// more. Allocates nothing after the first seconds in a known map.

@@ -62,6 +62,7 @@ std::string range_of(const ParamRow& row) {
 Stages stages_of(TrackerParams& params) {
   return {{"perception", rows(params.perception)},
           {"mapping", rows(params.mapping)},
+          {"bodies", rows(params.bodies)},
           {"prediction", rows(params.prediction)},
           {"planning", rows(params.planning)},
           {"safety", rows(params.safety)}};

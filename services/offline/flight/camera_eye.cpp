@@ -23,13 +23,16 @@ const CameraEye::Seen* CameraEye::look(const SimulatorOutput& output, const Perc
   if (const ColorImage* image = output.color) {
     const auto expected = expected_place(track, vehicles, image->camera, image->stamp_s, params_);
     result_ = perceive_image(state_, image->pixels, image->stamp_s, network_, params_, expected);
-    if (result_.found()) {
-      Seen& seen = waiting_.emplace_back();
+    Seen& seen = waiting_.emplace_back();
+    seen.observation.stamp_s = image->stamp_s;
+    seen.found = result_.found();
+    if (seen.found) {
       seen.observation = to_observation(result_.person, image->stamp_s, image->camera, params_);
       seen.observation.doubtful = result_.ambiguous;
       seen.torso_depth_m = torso_depth_of(seen.observation, output.depth);
     }
-    watch_others(state_, image->pixels, image->stamp_s, network_, params_);
+    const auto others = watch_others(state_, image->pixels, image->stamp_s, network_, params_);
+    sight_people(others, image->stamp_s, image->camera, vehicles, params_, seen.others);
   }
   if (waiting_.empty() || output.now_s < waiting_.front().observation.stamp_s + delay_s_ - 1e-9)
     return nullptr;

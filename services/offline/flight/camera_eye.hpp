@@ -9,6 +9,7 @@
 
 #include "core/perception/perceive.hpp"
 #include "core/perception/perceive_image.hpp"
+#include "core/perception/sight_people.hpp"
 #include "core/simulator/simulate.hpp"
 
 namespace foretrack {
@@ -20,13 +21,15 @@ class CameraEye {
       : network_(std::move(network)), params_(params), delay_s_(delay_s) {}
 
   struct Seen {
+    bool found = false;  // the person; there is an observation
+    PeopleSeen others;
     TargetObservation observation;
     double torso_depth_m = std::numeric_limits<double>::quiet_NaN();  // NaN: not measured
   };
 
   /// Looks at the image, if there is one, near where the track expects the person; `depth`, if
-  /// there is one, is of the same instant. Returns what was seen delay_s ago, if somebody was; null
-  /// otherwise. Valid until the next call.
+  /// there is one, is of the same instant. Returns what was seen delay_s ago; null if there was no
+  /// image then. Valid until the next call.
   const Seen* look(const SimulatorOutput& output, const PerceptionState& track,
                    const VehicleHistory& vehicles);
   /// Of the last image.

@@ -85,8 +85,10 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                        .known_map = s.known_map};
     if (const auto* seen =
             eye ? eye->look(s.simulator, tracker.perception, tracker.vehicles) : nullptr) {
-      input.observation = &seen->observation;
+      if (seen->found) input.observation = &seen->observation;
       input.torso_depth_m = seen->torso_depth_m;
+      input.sightings = &seen->others.sightings;
+      input.looks = seen->others.looks;
     }
     const MissionCommand start{
         .id = 1, .stamp_s = s.simulator.now_s, .order = MissionOrder::kStart};

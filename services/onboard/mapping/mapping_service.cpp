@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/mapping/mapping_service.hpp"
 
+#include "core/bodies/bodies_around.hpp"
 #include "services/convert/geometry.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
@@ -73,8 +74,10 @@ void MappingService::update() {
   const bool covered = vehicle && vehicle->stamp_s >= depth_.stamp_s;
   if (!covered && service_.clock().now_s() - arrived_s_ < kPoseWait_s) return;
   waiting_ = false;
-  const TargetState* target = target_ && target_->usable() ? &*target_ : nullptr;
-  const auto result = update_map(state_, depth_, vehicle_.history(), target, params_);
+  MovingBodies bodies;
+  if (target_ && target_->usable())
+    bodies.add(followed_body({*target_}, depth_.stamp_s, BodyParams{}));
+  const auto result = update_map(state_, depth_, vehicle_.history(), bodies.all(), params_);
   if (result.status != MapStatus::kUpdated) return image_.refuse(kNoPose);
   publish();
 }

@@ -29,11 +29,11 @@ struct Mapper {
   double now_s = 0.0;
 
   MapUpdate look(const World& world, const Vec3& position = kStart, double yaw_rad = 0.0,
-                 const TargetState* target = nullptr) {
+                 std::span<const MovingBody> bodies = {}) {
     now_s += 1.0 / 15.0;
     const VehicleState vehicle = vehicle_at(now_s, position, yaw_rad);
     history.add(vehicle);
-    return update_map(state, render(world, vehicle), history, target, params);
+    return update_map(state, render(world, vehicle), history, bodies, params);
   }
   Cell at(double x, double y, double z) const { return local_map(state).cell_at({x, y, z}); }
 };
@@ -123,39 +123,43 @@ TEST(UpdateMap, PixelsWithoutReturnSayNothing) {
     m.history.add(vehicle);
     DepthImage image = render({}, vehicle);
     std::fill(image.depth_m.begin(), image.depth_m.end(), nothing);
-    const MapUpdate update = update_map(m.state, image, m.history, nullptr, m.params);
+    const MapUpdate update = update_map(m.state, image, m.history, {}, m.params);
     EXPECT_EQ(update.rays, 0);
     EXPECT_EQ(update.hits, 0);
     EXPECT_EQ(m.at(2.0, 0.0, 1.4), Cell::kUnknown);
   }
 }
 
-TEST(UpdateMap, TargetIsNoObstacleAndHidesNothingThatWasKnown) {
-  const Box person{{1.9, -0.2, 0.0}, {2.1, 0.2, 1.75}};
-  TargetState target;
-  target.status = TrackStatus::kTracking;
-  target.position_enu_m = {2.0, 0.0, 1.2};
+MovingBody followed_at(const Vec3& foot_enu_m) {
+  MovingBody person;
+  person.kind = BodyKind::kPerson;
+  person.followed = true;
+  person.position_enu_m = foot_enu_m;
+  return person;
+}
+
+TEST(UpdateMap, PersonIsNoObstacleAndHidesNothingThatWasKnown) {
+  const Box body{{1.9, -0.2, 0.0}, {2.1, 0.2, 1.75}};
+  const std::array<MovingBody, 1> person = {followed_at({2.0, 0.0, 0.0})};
   Mapper m;
   m.look({kWall});
-  m.look({kWall, person}, kStart, 0.0, &target);
+  m.look({kWall, body}, kStart, 0.0, person);
   EXPECT_NE(m.at(1.92, 0.0, 1.2), Cell::kOccupied);
   EXPECT_EQ(m.at(1.2, 0.0, 1.2), Cell::kFree);
   EXPECT_EQ(m.at(3.05, 0.0, 1.4), Cell::kOccupied);
-  // A target that is lost could be anywhere.
-  target.status = TrackStatus::kLost;
-  for (int k = 0; k < 10; ++k) m.look({kWall, person}, kStart, 0.0, &target);
+  // Nobody knows of a person there any more.
+  for (int k = 0; k < 10; ++k) m.look({kWall, body});
   EXPECT_EQ(m.at(1.92, 0.0, 1.2), Cell::kOccupied);
 }
 
-TEST(UpdateMap, TargetIsCutOutWhereItIsAtTheImagesStamp) {
-  const Box person{{1.9, -0.2, 0.0}, {2.1, 0.2, 1.75}};
-  TargetState target;
-  target.status = TrackStatus::kCoasting;
-  target.stamp_s = -0.5;  // walks 2 m/s, was 1 m before
-  target.velocity_enu_m_s = {0.0, 2.0, 0.0};
-  target.position_enu_m = Vec3(2.0, 0.0, 1.2) - (0.5 + 1.0 / 15.0) * target.velocity_enu_m_s;
+TEST(UpdateMap, PersonIsCutOutWhereTheyAreAtTheImagesStamp) {
+  const Box body{{1.9, -0.2, 0.0}, {2.1, 0.2, 1.75}};
+  const Vec3 velocity(0.0, 2.0, 0.0);
+  std::array<MovingBody, 1> person = {followed_at(Vec3(2, 0, 0) - (0.5 + 1.0 / 15.0) * velocity)};
+  person[0].stamp_s = -0.5;
+  person[0].velocity_enu_m_s = velocity;
   Mapper m;
-  m.look({kWall, person}, kStart, 0.0, &target);
+  m.look({kWall, body}, kStart, 0.0, person);
   EXPECT_NE(m.at(1.92, 0.0, 1.2), Cell::kOccupied);
 }
 
@@ -163,7 +167,7 @@ TEST(UpdateMap, UsesTheVehiclesPoseAtTheImagesStamp) {
   Mapper m;
   for (int k = 0; k <= 10; ++k) m.history.add(vehicle_at(0.1 * k, kStart, 0.15 * k));
   const DepthImage image = render({kWall}, vehicle_at(0.25, kStart, 0.375));
-  update_map(m.state, image, m.history, nullptr, m.params);
+  update_map(m.state, image, m.history, {}, m.params);
   EXPECT_EQ(m.at(3.05, 0.0, 1.4), Cell::kOccupied);
   EXPECT_EQ(m.at(2.5, 0.0, 1.4), Cell::kFree);
   EXPECT_EQ(m.at(2.5, 1.5, 1.4), Cell::kFree);
@@ -283,7 +287,7 @@ TEST(UpdateMap, AllocatesNothingWhereTheWorldIsKnown) {
   m.history.add(vehicle);
   const DepthImage image = render({kWall, kFloor}, vehicle);
   const long before = allocation_count();
-  update_map(m.state, image, m.history, nullptr, m.params);
+  update_map(m.state, image, m.history, {}, m.params);
   EXPECT_EQ(allocation_count(), before);
 }
 
@@ -291,13 +295,12 @@ TEST(UpdateMap, NamesEachReasonForRefusal) {
   Mapper m;
   const VehicleState vehicle = vehicle_at(0.0, kStart);
   DepthImage image = render({}, vehicle);
-  EXPECT_EQ(update_map(m.state, image, VehicleHistory(), nullptr, m.params).status,
+  EXPECT_EQ(update_map(m.state, image, VehicleHistory(), {}, m.params).status,
             MapStatus::kNoVehiclePose);
   EXPECT_TRUE(local_map(m.state).empty());
   m.history.add(vehicle);
   image.depth_m.pop_back();
-  EXPECT_EQ(update_map(m.state, image, m.history, nullptr, m.params).status,
-            MapStatus::kInvalidImage);
+  EXPECT_EQ(update_map(m.state, image, m.history, {}, m.params).status, MapStatus::kInvalidImage);
 }
 
 }  // namespace

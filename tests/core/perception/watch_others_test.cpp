@@ -16,7 +16,7 @@ class WatchOthers : public ::testing::Test {
  protected:
   PoseResult look(double stamp_s) {
     const auto result = perceive_image(state_, image_, stamp_s, fake_.network, params_);
-    watch_others(state_, image_, stamp_s, fake_.network, params_);
+    others_ = watch_others(state_, image_, stamp_s, fake_.network, params_);
     return result;
   }
   // The chosen person, and then somebody beside.
@@ -37,6 +37,7 @@ class WatchOthers : public ::testing::Test {
   }
   testing::FakePoseNetwork fake_;
   PoseState state_;
+  std::vector<OtherPerson> others_;  // in the last image
   PerceptionParams params_;
   RgbImage image_ = grey_image(400, 400);
 };
@@ -70,6 +71,19 @@ TEST_F(WatchOthers, WhoIsBesideIsKnownAndNotTheChosenOne) {
   look_at_two();
   EXPECT_NEAR(state_.chosen.torso_px.x(), 160.0, 15.0);
   EXPECT_GT(state_.other.torso_px.x(), 220.0);
+}
+
+TEST_F(WatchOthers, EverybodyElseInTheImageIsTold) {
+  look_at_two();
+  ASSERT_EQ(others_.size(), 1u);
+  ASSERT_TRUE(others_[0].pose.has_value());
+  EXPECT_GT(others_[0].pose->torso_px().x(), 220.0);
+  fake_.see({0.9, 0.5}, 0.2, 3.0);  // a third one, whom the detector alone sees
+  look(0.4);
+  ASSERT_EQ(others_.size(), 2u);
+  EXPECT_TRUE(others_[0].pose.has_value());
+  EXPECT_FALSE(others_[1].pose.has_value());
+  EXPECT_GT(others_[1].region.centre_px.x(), 300.0);
 }
 
 TEST_F(WatchOthers, APoseAtTheOthersPlaceIsNotTakenWhenTheChosenOneIsGone) {
