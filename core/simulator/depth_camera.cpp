@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "core/simulator/bystander.hpp"
+
 namespace foretrack {
 namespace {
 
-constexpr double kPersonRadius_m = 0.25;
 constexpr double kNear_m = 0.05;
 
 // Pixels [low, high) that a shape can be in.
@@ -133,8 +134,7 @@ void render(DepthCamera& camera, const World& world, const VehicleState& vehicle
   renderer.draw_ground(world.min_m.z());
   for (const auto& box : world.boxes) renderer.draw(box);
   for (const auto& cylinder : world.cylinders) renderer.draw(cylinder);
-  const double feet_m = person.position_enu_m.z() - torso_height_m(height_m);
-  renderer.draw(Cylinder{person.position_enu_m.head<2>(), kPersonRadius_m, height_m, feet_m});
+  renderer.draw(cylinder_of(person, height_m));
   add_noise(camera);
 }
 

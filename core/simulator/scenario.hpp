@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "core/simulator/autopilot.hpp"
+#include "core/simulator/bystander.hpp"
 #include "core/simulator/depth_camera.hpp"
+#include "core/simulator/encounter.hpp"
 #include "core/simulator/generate_world.hpp"
 #include "core/simulator/landmark_camera.hpp"
-#include "core/simulator/person.hpp"
 #include "core/simulator/quadrotor.hpp"
 #include "core/simulator/track.hpp"
 
@@ -31,14 +32,6 @@ constexpr std::string_view to_string(MapSource map) {
   return kMapSourceNames[static_cast<std::size_t>(map)];
 }
 
-/// Somebody who is not followed. Is seen in rendered images and their depth, and nowhere else.
-struct BystanderSpec {
-  std::string person = "girl";
-  std::vector<Vec2> route_m;  // to its end, and then stands there
-  double speed_m_s = 1.4;
-  PersonParams walk;
-};
-
 struct Scenario {
   std::string name = "unnamed";
   World world;  // the shapes given one by one
@@ -55,7 +48,8 @@ struct Scenario {
   bool depth_images = false;   // rendered also with the known map
   bool color_images = false;   // of the landmark camera, rendered, instead of its landmarks
   std::string person = "boy";  // who is rendered; services/people has the names
-  std::vector<BystanderSpec> bystanders;
+  std::vector<BystanderSpec> bystanders;  // not on the known map
+  std::optional<Encounter> encounter;     // what was staged, if something was
   MapSource map = MapSource::kKnown;
   double map_resolution_m = 0.15;
   double duration_s = 60.0;

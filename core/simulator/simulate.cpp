@@ -60,25 +60,46 @@ void take_images(SimulatorState& state, double height_m) {
     if (wants_depth && out.color) out.depth = depth_of(*state.color_camera, state.depth_camera);
     return;
   }
-  out.observation = observe(state.landmark_camera, state.world, out.vehicle, out.target, height_m);
+  out.observation = observe(state.landmark_camera, state.scene, out.vehicle, out.target, height_m);
+  if (!state.bystanders.empty())
+    out.sightings = detect(state.people_detector, state.world, out.vehicle, state.bystanders,
+                           cylinder_of(out.target, height_m));
   if (wants_depth)
-    out.depth = image_depth(state.depth_camera, state.world, out.vehicle, out.target, height_m);
+    out.depth = image_depth(state.depth_camera, state.scene, out.vehicle, out.target, height_m);
 }
 
-std::vector<Bystander> bystanders_of(const Scenario& scenario, double ground_z_m,
-                                     std::vector<std::shared_ptr<const PersonModel>> models) {
+std::vector<Person> bystanders_of(const Scenario& scenario, double ground_z_m) {
+  std::vector<Person> people;
+  for (const BystanderSpec& spec : scenario.bystanders)
+    people.push_back(make_bystander(spec, ground_z_m, scenario.duration_s));
+  return people;
+}
+
+PeopleDetectorParams detector_params_of(const Scenario& scenario) {
+  const LandmarkCameraParams& camera = scenario.landmark_camera;
+  return {.camera = camera.camera, .delay_s = camera.delay_s, .range_max_m = camera.range_max_m};
+}
+
+std::vector<Bystander> rendered(const Scenario& scenario, const std::vector<Person>& people,
+                                std::vector<std::shared_ptr<const PersonModel>> models) {
   if (models.size() != scenario.bystanders.size() ||
       std::find(models.begin(), models.end(), nullptr) != models.end())
     throw std::invalid_argument("make_simulator: " + std::to_string(scenario.bystanders.size()) +
                                 " bystanders to render are needed");
   std::vector<Bystander> bystanders;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const BystanderSpec& spec = scenario.bystanders[i];
-    Walk walk = walk_along(spec.route_m, {.speed_m_s = spec.speed_m_s});
-    bystanders.push_back(
-        {std::move(models[i]), make_person(spec.walk, std::move(walk), ground_z_m)});
-  }
+  for (std::size_t i = 0; i < models.size(); ++i)
+    bystanders.push_back({std::move(models[i]), people[i]});
   return bystanders;
+}
+
+void walk_on(SimulatorState& state, double dt_s) {
+  advance(state.person, dt_s);
+  for (Person& other : state.bystanders) advance(other, dt_s);
+  if (!state.bystanders.empty())
+    place_people(state.scene, state.world.cylinders.size(), state.bystanders);
+  if (state.color_camera)
+    for (std::size_t i = 0; i < state.bystanders.size(); ++i)
+      state.color_camera->bystanders[i].person.state = state.bystanders[i].state;
 }
 
 }  // namespace
@@ -86,6 +107,7 @@ std::vector<Bystander> bystanders_of(const Scenario& scenario, double ground_z_m
 SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const PersonModel> model,
                               std::vector<std::shared_ptr<const PersonModel>> bystanders) {
   World world = world_of(scenario);
+  std::vector<Person> people = bystanders_of(scenario, world.min_m.z());
   Person person = make_person(scenario.target.person, walk_of(scenario, world), world.min_m.z());
   if (!world.contains(person.state.position_enu_m) ||
       clearance_m(world, person.state.position_enu_m) <= 0.0)
@@ -96,11 +118,14 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
   if (scenario.parked) quadrotor.vehicle.position_enu_m.z() = 0.0;
   Autopilot autopilot = make_autopilot(scenario.autopilot, quadrotor.vehicle);
   SimulatorState state{scenario,
-                       std::move(world),
+                       world,
+                       world,
                        std::move(person),
+                       std::move(people),
                        std::move(quadrotor),
                        std::move(autopilot),
                        make_landmark_camera(scenario.landmark_camera, seed_of(scenario, 3)),
+                       make_people_detector(detector_params_of(scenario), seed_of(scenario, 6)),
                        make_depth_camera(scenario.depth_camera, seed_of(scenario, 4)),
                        {},
                        {}};
@@ -108,8 +133,7 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
     state.color_camera =
         make_color_camera({scenario.landmark_camera.camera, scenario.landmark_camera.rate_hz},
                           state.world, std::move(model));
-    state.color_camera->bystanders =
-        bystanders_of(scenario, state.world.min_m.z(), std::move(bystanders));
+    state.color_camera->bystanders = rendered(scenario, state.bystanders, std::move(bystanders));
   }
   state.output.vehicle = state.quadrotor.vehicle;
   state.output.autopilot = state.autopilot.status;
@@ -125,9 +149,7 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
       update_autopilot(state.autopilot, input, state.quadrotor.vehicle, dt_s);
   fly_setpoint(scenario.quadrotor, scenario.wind, state.quadrotor, setpoint,
                motors_turn(state.autopilot), dt_s);
-  advance(state.person, dt_s);
-  if (state.color_camera)
-    for (Bystander& other : state.color_camera->bystanders) advance(other.person, dt_s);
+  walk_on(state, dt_s);
 
   SimulatorOutput& out = state.output;
   out.now_s += dt_s;
@@ -142,6 +164,7 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   drain(out.battery, out.acceleration_enu_m_s2.z(), out.acceleration_enu_m_s2.head<2>().norm(),
         motors_turn(state.autopilot), dt_s);
   out.target = state.person.state;
+  out.bystanders = state.bystanders;
   take_images(state, height_m);
   return out;
 }

@@ -6,6 +6,7 @@
 
 #include "core/simulator/battery.hpp"
 #include "core/simulator/color_camera.hpp"
+#include "core/simulator/people_detector.hpp"
 #include "core/simulator/scenario.hpp"
 
 namespace foretrack {
@@ -19,18 +20,23 @@ struct SimulatorOutput {
   std::optional<CommandResult> answer;  // to the step's command
   Battery battery;
   std::optional<TargetObservation> observation;  // delivered in this step; none with color images
+  std::optional<BodySightings> sightings;        // the same of bystanders; none without any
   const ColorImage* color = nullptr;             // null: none in this step
   const DepthImage* depth = nullptr;             // null: none in this step
   PersonState target;                            // truth
+  std::span<const Person> bystanders;            // truth; in the state, until the next step
 };
 
 struct SimulatorState {
   Scenario scenario;
-  World world;
+  World world;  // what stands there
+  World scene;  // the same with the bystanders where they are now: what cameras look through
   Person person;
+  std::vector<Person> bystanders;
   QuadrotorState quadrotor;
   Autopilot autopilot;
   LandmarkCamera landmark_camera;
+  PeopleDetector people_detector;
   DepthCamera depth_camera;
   std::optional<ColorCamera> color_camera;
   SimulatorOutput output;

@@ -6,6 +6,7 @@ Exit status 3: matplotlib is missing.
 
 import csv
 import json
+import math
 import pathlib
 import sys
 
@@ -21,6 +22,7 @@ except ImportError:
 
 SHAPE = {"facecolor": "0.82", "edgecolor": "0.55", "linewidth": 0.6}
 LOST, HIDDEN, NEAR = "#d62728", "#ff7f0e", "#9467bd"
+FOLLOWED, OTHER, VEHICLE = "#d94801", "#238b45", "#2171b5"
 MODES = {"fresh": "#2ca02c", "kept": "#bcbd22", "search": "#17becf", "hold": "#7f7f7f", "none": "white"}
 
 
@@ -57,13 +59,59 @@ def draw_path(axes, x, y, t, cmap):
     return lines
 
 
+def gaps(log, scenario, name, height_m):
+    """Distances of the hulls in space: the vehicle's ball, the person's upright cylinder."""
+    ground_m = scenario["bounds_min_m"][2]
+    found = []
+    for x, y, px, py, z in zip(log["vehicle_x"], log["vehicle_y"], log[name + "_x"], log[name + "_y"], log["vehicle_z"]):
+        beside = math.hypot(x - px, y - py) - scenario["person_radius_m"]
+        above = max(z - ground_m - height_m, ground_m - z)
+        outside = math.hypot(max(beside, 0.0), max(above, 0.0))
+        found.append(outside + min(max(beside, above), 0.0) - scenario["vehicle_radius_m"])
+    return found
+
+
+def people_of(log, scenario):
+    """(name in the log, label, colour, gaps) of everybody, the followed person first."""
+    people = [("target", "followed person", FOLLOWED, gaps(log, scenario, "target", scenario["target_height_m"]))]
+    for i, height_m in enumerate(scenario["bystander_heights_m"], 1):
+        name = f"bystander{i}"
+        people.append((name, "bystanders" if i == 1 else None, OTHER, gaps(log, scenario, name, height_m)))
+    return people
+
+
+def draw_bodies(axes, log, scenario, people):
+    """Everybody's hull at the moment at which one of them is nearest."""
+    nearest = min(people, key=lambda person: min(person[3]))
+    i = nearest[3].index(min(nearest[3]))
+    for name, _, colour, _ in people:
+        axes.add_patch(Circle((log[name + "_x"][i], log[name + "_y"][i]), scenario["person_radius_m"],
+                              facecolor=colour, edgecolor="black", linewidth=0.6, alpha=0.7, zorder=5))
+    axes.add_patch(Circle((log["vehicle_x"][i], log["vehicle_y"][i]), scenario["vehicle_radius_m"],
+                          facecolor=VEHICLE, edgecolor="black", linewidth=0.6, alpha=0.7, zorder=6))
+    axes.annotate(f"{nearest[3][i]:.2f} m at {log['now_s'][i]:.1f} s", (log["vehicle_x"][i], log["vehicle_y"][i]),
+                  xytext=(10, 10), textcoords="offset points", fontsize=8, zorder=7)
+
+
+def draw_gaps(axes, log, people):
+    for _, label, colour, gap in people:
+        axes.plot(log["now_s"], gap, color=colour, linewidth=1.0, label=label)
+    axes.axhline(0.5, color=NEAR, linewidth=0.8)
+    axes.axhline(0.0, color=LOST, linewidth=0.8)
+    axes.set_ylim(min(-0.1, min(min(gap) for *_, gap in people)), 3.0)
+    axes.set_ylabel("gap [m]")
+    axes.legend(loc="upper right", fontsize=7, ncol=2)
+
+
 def where(values, condition):
     return [i for i, value in enumerate(values) if condition(value)]
 
 
-def draw_top_view(axes, log, scenario):
+def draw_top_view(axes, log, scenario, people):
     draw_world(axes, scenario)
     t = log["now_s"]
+    for name, *_ in people[1:]:
+        draw_path(axes, log[name + "_x"], log[name + "_y"], t, "Greens")
     draw_path(axes, log["target_x"], log["target_y"], t, "Oranges")
     lines = draw_path(axes, log["vehicle_x"], log["vehicle_y"], t, "Blues")
     hidden = where(log["unhidden"], lambda v: v == 0.0)
@@ -76,7 +124,8 @@ def draw_top_view(axes, log, scenario):
         i = min(range(len(t)), key=lambda k: abs(t[k] - turn["begin_s"]))
         axes.plot(log["target_x"][i], log["target_y"][i], "^" if turn["success"] else "v",
                   color="#2ca02c" if turn["success"] else LOST, markersize=7, markeredgecolor="white")
-    for cmap, label in (("Oranges", "target"), ("Blues", "vehicle")):
+    draw_bodies(axes, log, scenario, people)
+    for cmap, label in (("Oranges", "target"), ("Blues", "vehicle"), ("Greens", "bystanders"))[:2 + (len(people) > 1)]:
         axes.plot([], [], color=matplotlib.colormaps[cmap](0.75), label=label)
     for marker, colour, label in (("^", "#2ca02c", "turn kept in view"), ("v", LOST, "turn lost")):
         axes.plot([], [], marker, color=colour, label=label)
@@ -131,18 +180,20 @@ def draw_strip(axes, log):
 def main(folder):
     log = read_log(folder / "log.csv")
     scenario = json.loads((folder / "scenario.json").read_text())
-    figure = plt.figure(figsize=(11, 13), constrained_layout=True)
-    grid = figure.add_gridspec(4, 1, height_ratios=[6, 1.6, 1.2, 1.2])
+    people = people_of(log, scenario)
+    figure = plt.figure(figsize=(11, 14), constrained_layout=True)
+    grid = figure.add_gridspec(5, 1, height_ratios=[6, 1.6, 1.2, 1.2, 1.2])
     top = figure.add_subplot(grid[0])
-    draw_top_view(top, log, scenario)
+    draw_top_view(top, log, scenario, people)
     wins = sum(turn["success"] for turn in scenario["turns"])
     top.set_title(f"{scenario['name']}, seed {scenario['seed']}, {scenario['map']} map: "
                   f"failure rate {100 * scenario['failure_rate']:.1f} %, "
                   f"turns {wins} of {len(scenario['turns'])}")
     distance = figure.add_subplot(grid[1])
     draw_distance(distance, log, scenario)
-    draw_intentions(figure.add_subplot(grid[2], sharex=distance), log, scenario["intentions"])
-    draw_strip(figure.add_subplot(grid[3], sharex=distance), log)
+    draw_gaps(figure.add_subplot(grid[2], sharex=distance), log, people)
+    draw_intentions(figure.add_subplot(grid[3], sharex=distance), log, scenario["intentions"])
+    draw_strip(figure.add_subplot(grid[4], sharex=distance), log)
     distance.set_xlim(0, log["now_s"][-1])
     figure.savefig(folder / "flight.png", dpi=100)
 

@@ -145,6 +145,7 @@ void FlightLog::add_row(const VehicleState& vehicle, const VehicleState& target)
   row.estimate.stamp_s -= first_s_;
   row.target = person_of(target);
   row.target.stamp_s -= first_s_;
+  row.target_height_m = scenario_.target.person.height_m;
   if (!rows_.empty())
     row.acceleration_enu_m_s2 =
         (vehicle.velocity_enu_m_s - rows_.back().vehicle.velocity_enu_m_s) / kStep_s;

@@ -126,6 +126,7 @@ Scenario load_scenario(const std::string& name_or_file, const ScenarioOverrides&
   s.name = file.stem().string();
   apply(overrides, s, read.track);
   if (!read.generator_has_seed) s.generator.seed = s.seed;
+  if (read.encounter) stage_encounter(*read.encounter, s);
   if (read.track) s.target.track = load_track(*read.track, file);
   if (read.random_stops) draw_stops(*read.random_stops, s, s.target.person);
   if (!read.octree.empty()) {

@@ -77,6 +77,15 @@ void read_random_stops(YamlReader& r, RandomStops& stops) {
     r.fault("for_s", "expected [least, greatest]");
 }
 
+void read_stops(YamlReader& r, PersonParams& person) {
+  r.list("stops", [&](YamlReader& item) {
+    StandStill stop;
+    item.number("at_s", stop.at_s, 0.0, 1e5);
+    item.number("for_s", stop.for_s, 0.0, 1e5);
+    person.stops.push_back(stop);
+  });
+}
+
 void read_target(YamlReader& r, ScenarioFile& file) {
   TargetSpec& target = file.scenario.target;
   PersonParams& person = target.person;
@@ -89,12 +98,7 @@ void read_target(YamlReader& r, ScenarioFile& file) {
   r.number("height_m", person.height_m, 0.8, 2.5);
   r.number("shoulder_lead_s", person.shoulder_lead_s, 0.0, 2.0);
   r.number("start_s", person.start_s, 0.0, 600.0);
-  r.list("stops", [&](YamlReader& item) {
-    StandStill stop;
-    item.number("at_s", stop.at_s, 0.0, 1e5);
-    item.number("for_s", stop.for_s, 0.0, 1e5);
-    person.stops.push_back(stop);
-  });
+  read_stops(r, person);
   r.section("random_stops", [&](YamlReader& t) { read_random_stops(t, random_stops.emplace()); });
   if (random_stops && !person.stops.empty())
     r.fault("random_stops", "give either stops or random_stops");
@@ -108,9 +112,12 @@ void read_bystander(YamlReader& r, BystanderSpec& bystander) {
   r.points("route_m", bystander.route_m);
   if (bystander.route_m.empty()) r.fault("route_m", "is needed, with one point at least");
   r.text("person", bystander.person);
+  r.flag("loop", bystander.loop);
   r.number("speed_m_s", bystander.speed_m_s, 0.1, 5.0);
+  r.number("acceleration_m_s2", bystander.walk.acceleration_m_s2, 0.1, 20.0);
   r.number("height_m", bystander.walk.height_m, 0.8, 2.5);
   r.number("start_s", bystander.walk.start_s, 0.0, 600.0);
+  read_stops(r, bystander.walk);
 }
 
 void read_vehicle(YamlReader& r, Scenario& s) {
@@ -155,6 +162,19 @@ void read_wind(YamlReader& r, WindParams& wind) {
   r.number("gust_time_s", wind.gust_time_s, 0.01, 100.0);
 }
 
+void read_encounter(YamlReader& r, ScenarioFile& file) {
+  if (!r.has("encounter")) return;
+  int kind = 0;
+  r.choice("encounter", kEncounterKindNames, kind);
+  file.encounter = static_cast<EncounterKind>(kind);
+  for (const char* key : {"world", "bystanders", "vehicle"})
+    if (r.has(key)) r.fault(key, "an encounter has its own");
+  const Scenario& s = file.scenario;
+  if (!s.target.route_m.empty() || file.track || file.random_stops ||
+      !s.target.person.stops.empty())
+    r.fault("target", "an encounter has its own route and stops");
+}
+
 }  // namespace
 
 ScenarioFile read_scenario_file(YamlReader& r) {
@@ -176,6 +196,7 @@ ScenarioFile read_scenario_file(YamlReader& r) {
   r.number("map_resolution_m", s.map_resolution_m, 0.05, 1.0);
   r.number("duration_s", s.duration_s, 0.1, 1e5);
   r.seed("seed", s.seed);
+  read_encounter(r, file);
   r.finish();
   return file;
 }

@@ -29,6 +29,7 @@ struct ScenarioFile {
   std::optional<TrackSource> track;
   std::optional<RandomStops> random_stops;
   std::string octree;
+  std::optional<EncounterKind> encounter;  // stages world, walks and vehicle
   bool generator_has_seed = false, has_bounds = false, has_resolution = false;
 };
 

@@ -97,9 +97,19 @@ void write_decision(Line& line, const FlightRow& r) {
   line.number("setpoint_yaw_rate", s.yaw_rate_rad_s);
 }
 
+// No columns in flights without bystanders.
+void write_bystanders(Line& line, const FlightRow& r) {
+  for (std::size_t i = 0; i < r.bystanders.size(); ++i) {
+    const std::string name = fmt::format("bystander{}", i + 1);
+    line.point(name, Vec2(r.bystanders[i].foot_enu_m.head<2>()));
+    line.point(name + "_v", Vec2(r.bystanders[i].velocity_enu_m_s.head<2>()));
+  }
+}
+
 void write_line(fmt::memory_buffer& out, const FlightRow& row, bool header) {
   Line line(out, header);
   write_truth(line, row);
+  write_bystanders(line, row);
   write_belief(line, row);
   write_decision(line, row);
 }
@@ -108,7 +118,7 @@ void write_line(fmt::memory_buffer& out, const FlightRow& row, bool header) {
 
 std::string csv_of(const std::vector<FlightRow>& rows) {
   fmt::memory_buffer out;
-  write_line(out, FlightRow{}, true);
+  write_line(out, rows.empty() ? FlightRow{} : rows.front(), true);
   for (const auto& row : rows) write_line(out, row, false);
   return fmt::to_string(out);
 }

@@ -14,6 +14,7 @@
 #include "core/common/target.hpp"
 #include "core/common/trajectory.hpp"
 #include "core/common/vehicle.hpp"
+#include "core/simulator/bystander.hpp"
 #include "core/simulator/landmark_camera.hpp"
 
 namespace foretrack {
@@ -27,12 +28,22 @@ inline std::array<Vec2, kForesight_s.size()> no_foresight() {
   return points;
 }
 
+/// Where somebody truly is.
+struct PersonTruth {
+  Vec3 foot_enu_m = Vec3::Zero();
+  Vec3 velocity_enu_m_s = Vec3::Zero();
+  double height_m = 1.75;
+  bool in_sight = false;  // of the colour camera
+};
+
 struct FlightRow {
   double now_s = 0.0;
   // Truth.
   VehicleState vehicle;
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   PersonState target;
+  double target_height_m = 1.75;
+  std::vector<PersonTruth> bystanders;  // the same number, in the same order, in every row
   Sight sight;
   double clearance_m = 0.0;  // of the vehicle's centre to the nearest shape; infinite in the open
   AutopilotStatus autopilot;
@@ -49,6 +60,10 @@ struct FlightRow {
   std::optional<Setpoint> setpoint;
 
   double distance_m() const { return distance_xy(vehicle.position_enu_m, target.position_enu_m); }
+  PersonTruth followed() const {
+    return {foot_enu_m(target, target_height_m), target.velocity_enu_m_s, target_height_m,
+            sight.visible()};
+  }
 };
 
 /// The log: a header and one line per row, fixed formatting, '.' as the decimal point in any

@@ -55,7 +55,8 @@ MetricParams metric_params_of(const TrackerParams& params) {
           .band_high_m = p.place.distance_high_m,
           .speed_max_m_s = p.limits.speed_max_m_s,
           .acceleration_max_m_s2 = p.limits.acceleration_max_m_s2,
-          .yaw_rate_max_rad_s = p.limits.yaw_rate_max_rad_s};
+          .yaw_rate_max_rad_s = p.limits.yaw_rate_max_rad_s,
+          .height_above_target_m = p.place.height_above_target_m};
 }
 
 AutopilotInput input_of(const GateResult& gate) {

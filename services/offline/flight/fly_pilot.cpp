@@ -15,10 +15,19 @@ void write_truth(const SimulatorState& simulator, FlightRow& row) {
   row.vehicle = out.vehicle;
   row.acceleration_enu_m_s2 = out.acceleration_enu_m_s2;
   row.target = out.target;
+  row.target_height_m = simulator.scenario.target.person.height_m;
+  const Cylinder followed = cylinder_of(out.target, row.target_height_m);
+  for (std::size_t i = 0; i < out.bystanders.size(); ++i) {
+    const Person& other = out.bystanders[i];
+    const bool seen = is_in_sight(simulator.people_detector.params, simulator.world, out.vehicle,
+                                  out.bystanders, followed, i);
+    row.bystanders.push_back({foot_enu_m(other.state, other.params.height_m),
+                              other.state.velocity_enu_m_s, other.params.height_m, seen});
+  }
   row.autopilot = out.autopilot;
   row.clearance_m = clearance_m(simulator.world, out.vehicle.position_enu_m);
-  row.sight = sight_of(simulator.world, camera.camera, out.vehicle, out.target,
-                       simulator.scenario.target.person.height_m, camera.range_max_m);
+  row.sight = sight_of(simulator.scene, camera.camera, out.vehicle, out.target, row.target_height_m,
+                       camera.range_max_m);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "services/offline/flight/intention_metrics.hpp"
+#include "services/offline/flight/people_metrics.hpp"
 
 namespace foretrack {
 namespace {
@@ -198,6 +199,7 @@ Metrics metrics_of(std::span<const FlightRow> rows, const MetricParams& params) 
   measure_sight(rows, params, m);
   measure_distance(rows, params, m);
   measure_safety(rows, params, m);
+  measure_people(rows, params, m);
   const auto events = events_of(rows);
   measure_events(rows, events, params, m);
   measure_intention(rows, m);

@@ -2,6 +2,7 @@
 // What a flight was worth, from its rows alone, so that every method is measured alike.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct MetricParams {
   double speed_max_m_s = 3.0;
   double acceleration_max_m_s2 = 5.0;
   double yaw_rate_max_rad_s = 3.0;
+  double height_above_target_m = 0.1;  // that the vehicle wants, over the torso's centre
 };
 
 struct Quantiles {
@@ -73,6 +75,16 @@ struct Metrics {
   double max_yaw_rate_rad_s = 0.0;
   double limit_violation_s = 0.0;
   double smoothness_m2_s5 = 0.0;  // (1/T) ∫ |jerk|² dt of the vehicle
+  // Gaps in space between the vehicle's hull and people; infinite without any.
+  int person_contacts = 0;  // with the followed person
+  double min_person_gap_m = std::numeric_limits<double>::infinity();
+  int bystander_contacts = 0;
+  double min_bystander_gap_m = std::numeric_limits<double>::infinity();
+  // Going up out of somebody's way: what is lost then is told apart. Shares are of the other time.
+  double evading_s = 0.0;
+  double failure_rate_not_evading = 0.0;
+  double near_rate_not_evading = 0.0;
+  double unseen_rate_not_evading = 0.0;
   // Turns and stops of the target.
   int turns = 0;
   int turn_successes = 0;

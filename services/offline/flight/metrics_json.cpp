@@ -48,6 +48,17 @@ Json safety(const Metrics& m) {
           {"smoothness_m2_s5", m.smoothness_m2_s5}};
 }
 
+Json people(const Metrics& m) {
+  return {{"person_contacts", m.person_contacts},
+          {"min_person_gap_m", finite(m.min_person_gap_m)},
+          {"bystander_contacts", m.bystander_contacts},
+          {"min_bystander_gap_m", finite(m.min_bystander_gap_m)},
+          {"evading_s", m.evading_s},
+          {"failure_rate_not_evading", m.failure_rate_not_evading},
+          {"near_rate_not_evading", m.near_rate_not_evading},
+          {"unseen_rate_not_evading", m.unseen_rate_not_evading}};
+}
+
 Json events(const Metrics& m) {
   Json turns = Json::array();
   for (const auto& turn : m.turn_records) turns.push_back(json_of_turn(turn));
@@ -88,6 +99,7 @@ std::string json_of(const Metrics& m, std::string_view log_sha256) {
   Json json = {{"duration_s", m.duration_s}};
   json.update(tracking(m));
   json.update(safety(m));
+  json.update(people(m));
   json.update(events(m));
   json["intention"] = foresight(m);
   json["plan_ms"] = json_of(m.plan_ms);

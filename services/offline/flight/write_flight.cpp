@@ -37,6 +37,7 @@ std::string scenario_json_of(const FlightResult& flight, const MetricParams& par
   Json intentions = Json::array();
   for (const IntentionRow& row : kIntentions)
     intentions.push_back({{"name", row.name}, {"color", fmt::format("#{:06x}", row.color_rgb)}});
+  Json heights_m = Json::array();
   for (const auto& b : world.boxes)
     boxes.push_back({{"min_m", json_of_point(b.min_m)}, {"max_m", json_of_point(b.max_m)}});
   for (const auto& c : world.cylinders)
@@ -45,6 +46,8 @@ std::string scenario_json_of(const FlightResult& flight, const MetricParams& par
                          {"height_m", c.height_m}});
   for (const auto& turn : flight.metrics.turn_records)
     turns.push_back({{"begin_s", turn.event.begin_s}, {"success", turn.success}});
+  for (const auto& bystander : flight.rows.front().bystanders)
+    heights_m.push_back(bystander.height_m);
   const Json json = {{"name", flight.scenario.name},
                      {"seed", flight.scenario.seed},
                      {"map", to_string(flight.scenario.map)},
@@ -52,6 +55,10 @@ std::string scenario_json_of(const FlightResult& flight, const MetricParams& par
                      {"bounds_max_m", json_of_point(world.max_m)},
                      {"band_m", {params.band_low_m, params.band_high_m}},
                      {"near_m", params.near_m},
+                     {"vehicle_radius_m", params.vehicle_radius_m},
+                     {"person_radius_m", kPersonRadius_m},
+                     {"target_height_m", flight.scenario.target.person.height_m},
+                     {"bystander_heights_m", heights_m},
                      {"failure_rate", flight.metrics.failure_rate},
                      {"turns", turns},
                      {"intentions", intentions},

@@ -96,6 +96,40 @@ TEST_F(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(s.seed, 7u);
 }
 
+TEST_F(LoadScenario, BystandersWalkStopAndGoRound) {
+  const Scenario s = load(R"(
+bystanders:
+  - {route_m: [[1, 2], [3, 2]], loop: true, speed_m_s: 0.8, height_m: 1.2, start_s: 0.5}
+  - {route_m: [[0, 4]], acceleration_m_s2: 2, stops: [{at_s: 3, for_s: 1}]}
+)");
+  ASSERT_EQ(s.bystanders.size(), 2u);
+  EXPECT_TRUE(s.bystanders[0].loop);
+  EXPECT_EQ(s.bystanders[0].speed_m_s, 0.8);
+  EXPECT_EQ(s.bystanders[0].walk.height_m, 1.2);
+  EXPECT_EQ(s.bystanders[0].walk.start_s, 0.5);
+  EXPECT_FALSE(s.bystanders[1].loop);
+  EXPECT_EQ(s.bystanders[1].walk.height_m, 1.75);
+  EXPECT_EQ(s.bystanders[1].walk.acceleration_m_s2, 2.0);
+  ASSERT_EQ(s.bystanders[1].walk.stops.size(), 1u);
+  EXPECT_EQ(s.bystanders[1].walk.stops[0].at_s, 3.0);
+}
+
+TEST_F(LoadScenario, StagesAnEncounterFromItsSeed) {
+  const auto encounter = [&](std::uint64_t seed) {
+    ScenarioOverrides o;
+    o.seed = seed;
+    o.settings = {"encounter=cross_before", "target.speed_m_s=2"};
+    return load("encounter: head_on\nduration_s: 10\n", o);
+  };
+  const Scenario a = encounter(3), b = encounter(3), c = encounter(4);
+  ASSERT_TRUE(a.encounter);
+  EXPECT_EQ(a.encounter->kind, EncounterKind::kCrossBefore);
+  ASSERT_FALSE(a.bystanders.empty());
+  EXPECT_EQ(a.bystanders[0].speed_m_s, 2.0);
+  EXPECT_EQ(a.bystanders[0].route_m, b.bystanders[0].route_m);
+  EXPECT_NE(a.bystanders[0].route_m, c.bystanders[0].route_m);
+}
+
 TEST_F(LoadScenario, AnEmptyFileAndEmptyListsGiveTheDefaults) {
   EXPECT_EQ(load("").duration_s, Scenario{}.duration_s);
   const Scenario s = load("world: {boxes: [], cylinders: []}\ntarget: {route_m: [], stops: []}\n");
@@ -142,6 +176,10 @@ TEST_F(LoadScenario, RefusesWhatCannotBe) {
       {"target: {route_m: [[0, 0]], track: {file: x}}\n", "either route_m or track"},
       {"target: {track: {pedestrian: 1}}\n", "target.track.file: is needed"},
       {"target: {track: {file: nowhere.txt}}\n", "cannot read"},
+      {"encounter: stroll\n", "encounter: is 'stroll', expected one of"},
+      {"encounter: group\nvehicle: {yaw_rad: 1}\n", "vehicle: an encounter has its own"},
+      {"encounter: group\ntarget: {route_m: [[0, 0]]}\n", "an encounter has its own route"},
+      {"bystanders: [{loop: true}]\n", "route_m: is needed"},
       {"sensors: {fov_gated: perhaps}\n", "expected true or false"},
       {"seed: [\n", "not YAML"},
   };
