@@ -41,6 +41,28 @@ def success(cells, title):
     return figure
 
 
+def encounter_gaps(cells, title):
+    """Quantiles of the least gaps by speed, one panel for each kind: cells of encounters.json."""
+    names = list(dict.fromkeys(cell["name"] for cell in cells))
+    figure, panels = plt.subplots(1, len(names), figsize=(2.3 * len(names) + 0.8, 3.2), sharey=True, squeeze=False,
+                                  constrained_layout=True)
+    for axes, name in zip(panels[0], names):
+        mine = [c for c in cells if c["name"] == name and c["encounters"]]
+        speeds = [c["speed_m_s"] for c in mine]
+        axes.fill_between(speeds, [c["gap_p05_m"] for c in mine], [c["gap_p75_m"] for c in mine], alpha=0.2,
+                          color="#1f77b4", label="5–75 %")
+        axes.plot(speeds, [c["gap_p50_m"] for c in mine], "-", color="#1f77b4", label="median")
+        axes.plot(speeds, [c["gap_min_m"] for c in mine], "o", color="black", markersize=3, label="least")
+        axes.plot([0.5, 1.5, 1.5, 2.0], [0.5, 0.5, 0.3, 0.3], color="#9467bd", linewidth=1.0, label="floor")
+        axes.axhline(0.0, color="#d62728", linewidth=1.0)
+        axes.set(title=name.replace("_", " "), xlabel="speed [m/s]")
+        axes.grid(alpha=0.3)
+    panels[0][0].set_ylabel("least gap [m]")
+    panels[0][0].legend(fontsize=7)
+    figure.suptitle(title)
+    return figure
+
+
 def sweep(groups, title):
     """Failure rate of each condition of a sweep: {condition: [cells]}."""
     figure, axes = plt.subplots(figsize=(9, 3.8), constrained_layout=True)

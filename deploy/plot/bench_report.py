@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes report.html, report.md and plots/*.png of a bench: python3 bench_report.py FOLDER [COMMAND].
 
-Reads summary.json and details.json. Exit status 3: matplotlib or jinja2 is missing.
+Reads summary.json, details.json and, if there are any, encounters.json. Exit status 3: matplotlib or jinja2 is missing.
 """
 
 import base64
@@ -89,18 +89,33 @@ def section(gallery, name, summary, details):
             "is_sweep": is_sweep}
 
 
+def encounters_of(gallery, folder):
+    """The part about encounters with people; none where none were staged."""
+    file = folder / "encounters.json"
+    if not file.exists():
+        return None
+    found = json.loads(file.read_text())
+    images = [gallery.add(f"gaps {what} {method} {kind}", plots.encounter_gaps(group, f"{method}, {kind} map, {what}"))
+              for what in ("by_kind", "by_place")
+              for (method, kind), group in grouped(found[what], "method", "map").items()]
+    return {"tables": [("kind", found["by_kind"]), ("place", found["by_place"])], "images": images}
+
+
 def main(folder, command):
     summary = json.loads((folder / "summary.json").read_text())
     details = json.loads((folder / "details.json").read_text())
     gallery = Gallery(folder / "plots")
+    encounters = encounters_of(gallery, folder)
     names = dict.fromkeys(base_of(cell["experiment"]) for cell in summary["cells"])
+    names.pop("encounters", None)
     sections = [section(gallery, name, summary, details) for name in names]
     here = pathlib.Path(__file__).parent
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(here), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True)
     for template, file in (("bench_report.html.j2", "report.html"), ("bench_report.md.j2", "report.md")):
         environment.autoescape = template.endswith("html.j2")
-        text = environment.get_template(template).render(sections=sections, command=command)
+        text = environment.get_template(template).render(sections=sections, encounters=encounters,
+                                                                 command=command)
         (folder / file).write_text(text, encoding="utf-8")
 
 

@@ -4,8 +4,11 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <functional>
+#include <iterator>
 #include <memory>
 
 #include "services/cli/commands.hpp"
@@ -16,7 +19,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> names = {"all"};
-  std::vector<std::string> methods = {std::begin(kMethods), std::end(kMethods)};
+  std::vector<std::string> methods;  // empty: all; ours alone where nothing is compared
   std::vector<std::string> maps = {std::begin(kMapSourceNames), std::end(kMapSourceNames)};
   std::string out, logs = "failed";
   BenchRequest request;
@@ -86,11 +89,29 @@ void print_failures(const BenchResults& r) {
   }
 }
 
+void print_encounters(const std::vector<EncounterCell>& cells, std::string_view what) {
+  fmt::print(
+      "\n{:<14}{:<13}{:<7}{:>4} {:>7} {:>6}  {:>8} {:>13}  {:>6} {:>6} {:>6}  {:>9}  {:>19}"
+      "  {:>9} {:>6} {:>6}\n",
+      what, "method", "map", "m/s", "flights", "met", "contacts", "95 % interval", "least", "p05",
+      "p50", "floor", "stay/back/aside/up", "in view", "walls", "hovers");
+  for (const EncounterCell& c : cells)
+    fmt::print(
+        "{:<14}{:<13}{:<7}{:>4.1f} {:>7} {:>6}  {:>3} ({:>2}u) {:>5.1f} … {:>5.1f}  {:>6.2f} "
+        "{:>6.2f} {:>6.2f}  {:>4}/{:<4}  {:>19}  {:>4}/{:<4} {:>6} {:>6}\n",
+        c.name, c.method, to_string(c.map), c.speed_m_s, c.flights, c.encounters, c.contacts(),
+        c.unseen_contacts, 100.0 * c.contact_95.low, 100.0 * c.contact_95.high, c.gap_min_m,
+        c.gap_p05_m, c.gap_p50_m, c.floor_kept, c.floor_judged,
+        fmt::format("{}", fmt::join(c.evasions, "/")), c.view_kept, c.encounters, c.wall_contacts,
+        c.hovering_flights);
+}
+
 std::string command_of(const Options& o) {
   const BenchRequest& q = o.request;
   std::string text =
-      fmt::format("foretrack bench {} --seed {} --methods {} --maps {}", fmt::join(o.names, " "),
-                  q.seed, fmt::join(o.methods, ","), fmt::join(o.maps, ","));
+      fmt::format("foretrack bench {} --methods {} --maps {}", fmt::join(o.names, " "),
+                  fmt::join(q.methods, ","), fmt::join(o.maps, ","));
+  if (q.seed > 0) text += fmt::format(" --seed {}", q.seed);
   if (q.quick) text += " --quick";
   if (q.runs > 0) text += fmt::format(" --runs {}", q.runs);
   if (!q.speeds_m_s.empty()) text += fmt::format(" --speeds {}", fmt::join(q.speeds_m_s, ","));
@@ -100,16 +121,23 @@ std::string command_of(const Options& o) {
 }
 
 void complete(Options& o) {
+  auto& chosen = o.request.experiments;
+  const auto is_apart = [](const Experiment& e) { return e.apart; };
   for (const auto& name : o.names) {
     if (name == "all")
-      o.request.experiments = experiments();
+      std::copy_if(experiments().begin(), experiments().end(), std::back_inserter(chosen),
+                   std::not_fn(is_apart));
     else
-      o.request.experiments.push_back(experiment_named(name));
+      chosen.push_back(experiment_named(name));
   }
+  o.request.methods = o.methods;
+  if (o.methods.empty() && std::all_of(chosen.begin(), chosen.end(), is_apart))
+    o.request.methods = {std::string(kOurs)};
+  else if (o.methods.empty())
+    o.request.methods = {std::begin(kMethods), std::end(kMethods)};
   if (!o.request.scenario_files.empty())
     std::erase_if(o.request.experiments,
                   [](const Experiment& e) { return e.event == EventKind::kWalk; });
-  o.request.methods = o.methods;
   o.request.maps.clear();
   for (const auto& map : o.maps)
     o.request.maps.push_back(map == "depth" ? MapSource::kDepth : MapSource::kKnown);
@@ -127,7 +155,12 @@ int bench_with(Options o) {
   const BenchResults results = run_bench(o.request, o.bench);
   if (interrupted != 0)
     fmt::print("\ninterrupted: these are the {} flights until then\n", results.jobs.size());
-  print_cells(results);
+  if (results.encounters.empty()) {
+    print_cells(results);
+  } else {
+    print_encounters(results.encounters.by_kind, "kind");
+    print_encounters(results.encounters.by_place, "place");
+  }
   print_comparisons(results);
   print_failures(results);
   if (o.out.empty()) return 0;
@@ -143,15 +176,17 @@ std::function<int()> prepare_bench(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   BenchRequest& q = o->request;
   app.add_option("NAME", o->names,
-                 "turning, deceleration, t_intersection, real_tracks, stress, or all")
+                 "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
+                 "encounters")
       ->capture_default_str();
   app.add_option("--runs", q.runs, "seeds a world (real_tracks: pedestrians) instead of the usual")
       ->check(CLI::Range(1, 100000));
-  app.add_option("--seed", q.seed, "the first seed")->capture_default_str();
+  app.add_option("--seed", q.seed, "the first seed; missing: 5001, encounters 20001")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,
-                 "names of deploy/params, or parameter files, parted by commas")
-      ->delimiter(',')
-      ->capture_default_str();
+                 "names of deploy/params, or parameter files, parted by commas; missing: all, "
+                 "encounters: intention")
+      ->delimiter(',');
   app.add_option("--maps", o->maps, "known, depth")
       ->delimiter(',')
       ->check(CLI::IsMember({"known", "depth"}))

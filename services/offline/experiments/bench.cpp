@@ -26,10 +26,14 @@ BenchResults run_bench(const BenchRequest& request, const BenchOptions& options)
   r.scenes = summarize(r.jobs, r.records, true);
   r.comparisons = compare(r.jobs, r.records, r.cells);
   r.scene_comparisons = compare(r.jobs, r.records, r.scenes);
+  r.encounters = summarize_encounters(r.jobs, r.records);
   if (options.out.empty()) return r;
   write_text(options.out / "summary.json", summary_json_of(r));
   write_text(options.out / "details.json", details_json_of(r));
   write_text(options.out / "flights.csv", flights_csv_of(r));
+  if (r.encounters.empty()) return r;
+  write_text(options.out / "encounters.json", encounters_json_of(r.encounters));
+  write_text(options.out / "encounters.csv", encounters_csv_of(r.jobs, r.records));
   return r;
 }
 

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "core/simulator/encounter.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -25,6 +27,13 @@ std::vector<Condition> stress_conditions() {
   sweep(all, "fov_gated", "sensors.fov_gated", {"false"});
   sweep(all, "gust_m_s", "wind.gust_m_s", {"1", "2"});
   sweep(all, "shoulder_lead_s", "target.shoulder_lead_s", {"0", "0.15", "0.45", "0.6"});
+  return all;
+}
+
+std::vector<Condition> encounter_conditions() {
+  std::vector<Condition> all;
+  for (const auto kind : kEncounterKindNames)
+    all.push_back({std::string(kind), {fmt::format("encounter={}", kind)}});
   return all;
 }
 
@@ -71,7 +80,19 @@ const std::vector<Experiment>& experiments() {
        .speeds_m_s = {1.5},
        .conditions = stress_conditions(),
        .runs = 1,
-       .quick_duration_s = 10.0}};
+       .quick_duration_s = 10.0},
+      {.name = "encounters",
+       .summary = "people come near: head-on, turning back, stopping, crossing, in groups",
+       .event = EventKind::kEncounter,
+       .worlds = {"encounter"},
+       .speeds_m_s = {0.5, 1.0, 1.5, 2.0, 3.0},
+       .conditions = encounter_conditions(),
+       .duration_s = 12.0,
+       .runs = 9,
+       .quick_duration_s = 10.0,
+       .quick_speeds_m_s = {1.5, 3.0},
+       .apart = true,
+       .first_seed = kFirstEncounterSeed}};
   return all;
 }
 

@@ -9,12 +9,17 @@
 
 namespace foretrack {
 
+/// First seeds of the experiments. Parameters are tuned on seeds below 1000 only.
+inline constexpr std::uint64_t kFirstEvaluationSeed = 5001;
+inline constexpr std::uint64_t kFirstEncounterSeed = 20001;
+
 /// What is counted, and judged as docs/metrics.md says.
 enum class EventKind : std::uint8_t {
   kTurn,          // of the target
   kDeceleration,  // sudden stop
   kPass,          // the turn at the T-intersection (the origin)
-  kWalk           // one recorded pedestrian, followed to the end
+  kWalk,          // one recorded pedestrian, followed to the end
+  kEncounter      // somebody comes near
 };
 
 /// What differs from the scenario; the name is empty for none.
@@ -35,9 +40,12 @@ struct Experiment {
   int runs = 10;       // of the whole experiment
   int quick_runs = 1;  // of the short one
   double quick_duration_s = 60.0;
+  std::vector<double> quick_speeds_m_s = {};  // of the short one; empty: all
+  bool apart = false;                         // not among "all"; flown by our method
+  std::uint64_t first_seed = kFirstEvaluationSeed;
 };
 
-/// All of them: turning, deceleration, t_intersection, real_tracks, stress.
+/// All of them: turning, deceleration, t_intersection, real_tracks, stress, encounters.
 const std::vector<Experiment>& experiments();
 
 /// Throws std::invalid_argument that lists the names.
@@ -47,8 +55,5 @@ const Experiment& experiment_named(std::string_view name);
 inline constexpr std::string_view kMethods[] = {"intention", "single-path", "unaware", "cv"};
 /// What the others are compared with.
 inline constexpr std::string_view kOurs = kMethods[0];
-
-/// First seed of the experiments. Parameters are tuned on seeds below 1000 only.
-inline constexpr std::uint64_t kFirstEvaluationSeed = 5001;
 
 }  // namespace foretrack

@@ -72,7 +72,10 @@ class Listing {
     if (e.event == EventKind::kWalk) return {0.0};
     if (!request_.speeds_m_s.empty()) return request_.speeds_m_s;
     if (!request_.scenario_files.empty() || e.speeds_m_s.empty()) return {0.0};
-    return e.speeds_m_s;
+    return request_.quick && !e.quick_speeds_m_s.empty() ? e.quick_speeds_m_s : e.speeds_m_s;
+  }
+  std::uint64_t first_seed_of(const Experiment& e) const {
+    return request_.seed > 0 ? request_.seed : e.first_seed;
   }
 
   void add(const Experiment& e, const Condition& condition, MapSource map, double speed_m_s) {
@@ -121,7 +124,7 @@ class Listing {
       for (int i = 0; i < count_of(e); ++i) {
         Run& run = runs.emplace_back();
         run.world = world;
-        run.overrides.seed = request_.seed + static_cast<std::uint64_t>(i);
+        run.overrides.seed = first_seed_of(e) + static_cast<std::uint64_t>(i);
         run.overrides.duration_s = request_.quick ? e.quick_duration_s : e.duration_s;
         if (!files.empty()) run.overrides.duration_s = load_scenario(world).duration_s;
       }
@@ -142,7 +145,7 @@ class Listing {
         if (count_of(e) > 0 && static_cast<int>(runs.size()) >= count_of(e)) return runs;
         Run& run = runs.emplace_back();
         run.world = e.worlds.front();
-        run.overrides.seed = request_.seed + runs.size() - 1;
+        run.overrides.seed = first_seed_of(e) + runs.size() - 1;
         // The walk begins when the person has stood for start_s.
         run.overrides.duration_s = std::floor(walk_s * 10.0) / 10.0 + 1.5;
         run.overrides.track_file = file;

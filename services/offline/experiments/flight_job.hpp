@@ -19,8 +19,8 @@ struct BenchRequest {
   std::vector<std::string> track_files;     // pedestrians of real_tracks; none: the shipped ones
   double track_rate_hz = 25.0;
   std::vector<double> speeds_m_s;  // instead of the experiments'
-  std::uint64_t seed = kFirstEvaluationSeed;
-  int runs = 0;  // instead of the experiments'; 0: theirs
+  std::uint64_t seed = 0;          // the first; 0: the experiments'
+  int runs = 0;                    // instead of the experiments'; 0: theirs
   bool quick = false;
 };
 

@@ -103,6 +103,12 @@ double RelativePlaces::ellipse_area_m2() const {
   return kPi * kChi2Of90 * std::sqrt(std::max(0.0, sxx * syy - sxy * sxy));
 }
 
+EventOutcome outcome_of(const EncounterRecord& e) {
+  const bool success =
+      !e.contact() && !e.wall_contact && e.least_gap_m >= gap_floor_m(e.person_speed_m_s);
+  return {e.begin_s, success, e.least_gap_m, e.longest_loss_s, e.contact() || e.wall_contact};
+}
+
 bool RunRecord::failed() const {
   return metrics.collisions > 0 ||
          std::any_of(events.begin(), events.end(), [](const auto& e) { return !e.success; });
@@ -112,6 +118,7 @@ std::vector<EventOutcome> outcomes_of(const Metrics& m, Rows rows, EventKind kin
                                       const MetricParams& params) {
   std::vector<EventOutcome> outcomes;
   if (kind == EventKind::kWalk) return {outcome_of_walk(m, params)};
+  if (kind == EventKind::kEncounter) return {};
   const auto& records = kind == EventKind::kDeceleration ? m.deceleration_records : m.turn_records;
   for (const EventRecord& r : records) {
     const Vec3& place = rows[row_at(rows, r.event.begin_s)].target.position_enu_m;
@@ -130,9 +137,15 @@ RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const 
   record.mean_speed_m_s = mean_walking_speed(rows);
   record.plan_ms = flight.plan_ms;
   record.events = outcomes_of(flight.metrics, rows, kind, params);
-  if (kind != EventKind::kWalk)
+  if (kind == EventKind::kEncounter) {
+    record.staged = flight.scenario.encounter;
+    record.encounters = encounters_of(rows, params);
+    record.longest_hover_s = longest_hover_s(rows, params);
+    for (const EncounterRecord& e : record.encounters) record.events.push_back(outcome_of(e));
+  } else if (kind != EventKind::kWalk) {
     for (const EventOutcome& event : record.events)
       record.curves.push_back(curve_of(rows, event.begin_s));
+  }
   add_places(rows, record.places);
   record.intentions = score_intentions(rows, truth_of(rows));
   record.paths = paths.scores(rows);

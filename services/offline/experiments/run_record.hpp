@@ -9,6 +9,7 @@
 #include "core/scores/score_intentions.hpp"
 #include "services/offline/experiments/flight_job.hpp"
 #include "services/offline/experiments/path_record.hpp"
+#include "services/offline/flight/encounters.hpp"
 #include "services/offline/flight/fly_pilot.hpp"
 
 namespace foretrack {
@@ -57,11 +58,19 @@ struct RunRecord {
   IntentionScorer intentions;
   PathScorer paths;
   std::vector<ViewPoint> view;  // every 0.1 s
+  std::optional<Encounter> staged;
+  std::vector<EncounterRecord> encounters;  // where one was staged
+  double longest_hover_s = 0.0;
 
   bool failed() const;
 };
 
-/// The events of that kind. Passes are turns that begin within 2.5 m of the origin.
+/// An encounter succeeds if no wall and nobody is touched, and the person's floor is kept. Its
+/// least distance is the gap.
+EventOutcome outcome_of(const EncounterRecord& encounter);
+
+/// The events of that kind, but for encounters. Passes are turns that begin within 2.5 m of the
+/// origin.
 std::vector<EventOutcome> outcomes_of(const Metrics& metrics, std::span<const FlightRow> rows,
                                       EventKind kind, const MetricParams& params);
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "services/offline/experiments/encounter_summary.hpp"
 #include "services/offline/experiments/run_record.hpp"
 #include "services/offline/experiments/statistics.hpp"
 
@@ -58,6 +59,7 @@ struct BenchResults {
   std::vector<CellSummary> scenes;            // the same for each world
   std::vector<Comparison> comparisons;        // of cells
   std::vector<Comparison> scene_comparisons;  // of scenes
+  EncounterSummary encounters;
 };
 
 }  // namespace foretrack

@@ -161,6 +161,27 @@ TEST_F(Bench, FollowsEveryPedestrianOfATrackFileThatWalksLongEnough) {
   EXPECT_LT(e.fde_m, 0.4);
 }
 
+TEST_F(Bench, EncountersAreStagedByKindAndSeedAndSummedUp) {
+  BenchRequest request = small_request();
+  request.experiments = {experiment_named("encounters")};
+  request.experiments[0].duration_s = 5.5;
+  std::erase_if(request.experiments[0].conditions,
+                [](const Condition& c) { return c.name != "turn_back"; });
+  request.methods = {"intention"};
+  request.speeds_m_s = {1.5};
+  request.runs = 1;
+  const BenchResults r = run_bench(request, {.threads = 1, .out = folder_ / "out"});
+  ASSERT_EQ(r.encounters.by_kind.size(), 1u);
+  EXPECT_EQ(r.encounters.by_kind[0].name, "turn_back");
+  EXPECT_GT(r.encounters.by_kind[0].encounters, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/encounters.json"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/encounters.csv"));
+  EXPECT_THAT(r.jobs[0].command, HasSubstr("--scenario encounter --seed 101"));
+  EXPECT_THAT(r.jobs[0].command, HasSubstr("--set encounter=turn_back"));
+  request.seed = 0;
+  EXPECT_EQ(list_jobs(request)[0].overrides.seed, kFirstEncounterSeed);
+}
+
 TEST_F(Bench, SaysWhatIsWrongBeforeAnythingFlies) {
   BenchRequest request = small_request();
   request.methods = {"clever"};
@@ -182,12 +203,14 @@ TEST_F(Bench, SaysWhatIsWrongBeforeAnythingFlies) {
         }
         return std::string();
       }(),
-      HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress and all"));
+      HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress, encounters "
+                "and all"));
 }
 
 TEST(Experiments, AreEvaluatedOnSeedsThatNothingIsTunedOn) {
   EXPECT_GE(kFirstEvaluationSeed, 5000u);
-  EXPECT_EQ(experiments().size(), 5u);
+  EXPECT_GE(kFirstEncounterSeed, 20001u);
+  EXPECT_EQ(experiments().size(), 6u);
 }
 
 }  // namespace
