@@ -2,7 +2,6 @@
 #include "core/safety/gate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 
@@ -10,12 +9,11 @@ namespace foretrack {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMaxPieces = 64, kMaxNodes = 512;
+constexpr double kOfLate_s = 1.0;  // after so long without plans, a planner may count anew
 
-struct Rung {
-  SafetyMode mode;
-  SafetyReason reason;
-};
+bool is_known(double at_s, double now_s, double stale_s) {
+  return at_s >= 0.0 && now_s - at_s <= stale_s;
+}
 
 // What is flown of a plan, into memory that is there.
 void copy_flown(const PlannedTrajectory& from, double clock_offset_s, PlannedTrajectory& to) {
@@ -37,57 +35,138 @@ void start_next(GateState& s, double now_s) {
   s.has_next = false;
 }
 
-// A new plan waits until its start, so that the switch is where the planner made it continuous. The
-// one that waits starts before a newer one takes its place: replans may come as often as they lead.
-void take_plan(GateState& s, const GateInput& in) {
+bool is_flown_or_waits(const GateState& s, std::uint64_t id) {
+  return (s.has_flown && id == s.flown.id) || (s.has_next && id == s.next.id);
+}
+
+Surroundings surroundings_of(const GateState& s, const GateInput& in, const SafetyParams& p) {
+  Surroundings around;
+  // A map that was given once and for all has no stamp.
+  if (in.map && (in.map->stamp_s == 0.0 || is_known(in.map_at_s, in.now_s, p.map_stale_s)))
+    around.map = in.map->empty() ? nullptr : in.map;
+  if (is_known(in.bodies_at_s, in.now_s, p.bodies_stale_s)) around.bodies = in.bodies;
+  around.bounds = s.mission.bounds;
+  around.bounds.altitude_min_m = std::max(around.bounds.altitude_min_m, p.altitude_min_m);
+  around.bounds.altitude_max_m = std::min(around.bounds.altitude_max_m, p.altitude_max_m);
+  return around;
+}
+
+Situation situation_of(const GateState& s, const GateInput& in, const SafetyParams& p) {
+  Situation now;
+  now.moment = {in.now_s, in.stamp_now_s};
+  const VehicleState& vehicle = s.odometry.state;
+  const double since_s = in.now_s - s.odometry.at_s;
+  now.vehicle.position_enu_m = vehicle.position_enu_m + since_s * vehicle.velocity_enu_m_s;
+  now.vehicle.velocity_enu_m_s = vehicle.velocity_enu_m_s;
+  now.vehicle.yaw_rad = vehicle.yaw_rad();
+  now.around = surroundings_of(s, in, p);
+  if (is_known(s.last_plan_s, in.now_s, kOfLate_s)) now.last_id = s.newest_id;
+  if (s.has_next)
+    now.last_start_s = s.next.start_s;
+  else if (s.has_flown)
+    now.last_start_s = s.flown.start_s;
+  return now;
+}
+
+// The newest is checked, and waits until its start, so that the switch is where the planner made it
+// continuous. The one that waits starts before a newer one takes its place.
+void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
   start_next(s, in.now_s);
   if (in.plan) {
-    s.last_plan_s = in.now_s;
-    if (in.plan->status == PlanStatus::kFresh) s.last_fresh_s = in.now_s;
-    const bool fits = !in.plan->pieces.empty() && in.plan->pieces.size() <= kMaxPieces &&
-                      in.plan->yaw.nodes.size() <= kMaxNodes;
-    const bool is_new = fits && !(s.has_flown && in.plan->id == s.flown.id) &&
-                        !(s.has_next && in.plan->id == s.next.id);
-    if (is_new) {
-      copy_flown(*in.plan, in.now_s - in.stamp_now_s, s.next);
-      s.has_next = true;
+    const PlannedTrajectory& plan = *in.plan;
+    s.last_heard_s = in.now_s;
+    s.refusal = PlanFault::kNone;
+    if (!plan.pieces.empty() && !is_flown_or_waits(s, plan.id)) {
+      Situation now = situation_of(s, in, p);
+      const bool after_next =
+          s.has_next && plan.start_s - in.stamp_now_s + in.now_s >= s.next.start_s;
+      if (after_next)
+        now.flown = &s.next;
+      else if (s.has_flown && s.mode != SafetyMode::kBrake)
+        now.flown = &s.flown;
+      s.refusal = check_plan(plan, now, p.plan_check());
+      if (s.refusal == PlanFault::kNone) {
+        copy_flown(plan, in.now_s - in.stamp_now_s, s.next);
+        s.has_next = true;
+        s.newest_id = plan.id;
+      } else {
+        ++s.refused[static_cast<std::size_t>(s.refusal)];
+      }
+    }
+    if (s.refusal == PlanFault::kNone) {
+      s.last_plan_s = in.now_s;
+      if (plan.status == PlanStatus::kFresh) s.last_fresh_s = in.now_s;
     }
   }
   start_next(s, in.now_s);
 }
 
-Rung tracking_rung(const GateState& s, const GateInput& in, const GateResult& r,
-                   const SafetyParams& p) {
-  const bool fresh = s.last_plan_s >= 0.0 && in.now_s - s.last_plan_s <= p.plan_fresh_s;
-  if (!s.has_flown) return {SafetyMode::kHover, SafetyReason::kNoPlanYet};
-  if (r.deviation_m > p.max_deviation_m) return {SafetyMode::kBrake, SafetyReason::kOffTrajectory};
-  const bool ended = in.now_s - s.flown.start_s > s.flown.duration_s();
-  if (ended)
-    return {SafetyMode::kHover, fresh ? SafetyReason::kPlanHolds : SafetyReason::kPlanEnded};
-  return fresh ? Rung{SafetyMode::kTrack, SafetyReason::kNone}
-               : Rung{SafetyMode::kCoast, SafetyReason::kPlanStale};
+// Orders, and what the flight controller lets us do.
+void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
+  settle_order(s.order, s.mission, s.carrying, in.writing);
+  if (in.command)
+    take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
+               in.autopilot, p.mission_rules());
+  if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
+    const bool ready = s.mode == SafetyMode::kTrack && in.now_s - s.last_fresh_s <= p.plan_fresh_s;
+    r.request =
+        carry_out(s.carrying, s.mission,
+                  {in.now_s, in.autopilot, in.ack, ready, s.heartbeat_since_s}, p.carry_out());
+  }
 }
 
-bool is_known(double at_s, double now_s, double stale_s) {
-  return at_s >= 0.0 && now_s - at_s <= stale_s;
+void write_memory(GateState& s, const GateInput& in, GateResult& r) {
+  r.memory_changed = remember(s.memory, s.mission);
+  if (!in.command) return;
+  await_writing(s.order, s.memory, r.memory_changed);
+  settle_order(s.order, s.mission, s.carrying, in.writing);
 }
 
-Rung choose_rung(GateState& s, const GateInput& in, const GateResult& r, const SafetyParams& p) {
-  if (!is_known(in.vehicle_at_s, in.now_s, p.vehicle_stale_s))
-    return {SafetyMode::kSilent, SafetyReason::kVehicleStale};
-  if (!is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s))
-    return {SafetyMode::kSilent, SafetyReason::kAutopilotStale};
-  if (s.mission.phase == MissionPhase::kTracking || s.mission.phase == MissionPhase::kStarting)
-    return tracking_rung(s, in, r, p);
-  // Until the flight controller has taken over what it was asked for, the place is held.
-  // Braking comes first, as for every hover from speed.
-  return {s.mission.engaged ? SafetyMode::kHover : SafetyMode::kSilent, SafetyReason::kMission};
+// Odometry, images and limits. A limit may end the mission.
+void watch(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder) {
+  const double dt_s = s.ticked_s < 0.0 ? 0.0 : in.now_s - s.ticked_s;
+  ladder.odometry = watch_odometry(s.odometry, s.commanded_enu_m_s, dt_s, in.now_s, p.odometry());
+  ladder.autopilot_lost = !is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s);
+  ladder.vehicle_lost = !is_known(s.odometry.at_s, in.now_s, p.vehicle_lost_s);
+  ladder.vehicle_stale = s.vehicle_latch.update(
+      !is_known(s.odometry.at_s, in.now_s, p.vehicle_stale_s), in.now_s, 0.0, p.recover_s);
+  ladder.images_blind = s.image_latch.update(in.images_blind, in.now_s, 0.0, p.recover_s);
+  const Surroundings around = surroundings_of(s, in, p);
+  ladder.limit = watch_limits(s.limits,
+                              {.now_s = in.now_s,
+                               .place_enu_m = s.odometry.state.position_enu_m,
+                               .bounds = &around.bounds,
+                               .battery = in.battery,
+                               .operator_at_s = in.operator_at_s},
+                              p.limits());
 }
 
-// A heartbeat with nothing behind it would hide a dead planner from the flight controller for ever.
-bool has_waited_too_long(GateState& s, const GateInput& in, const SafetyParams& p) {
-  const double alive_s = std::max(s.last_plan_s, s.idle_since_s);
-  return s.mission.phase == MissionPhase::kTracking && in.now_s - alive_s > p.hover_limit_s;
+// A limit that calls for it sends the vehicle home or down: once, as an order would.
+void react(GateState& s, const GateInput& in, const LimitVerdict& limit) {
+  if (limit.reaction < Reaction::kReturn || s.mission.phase != MissionPhase::kTracking) return;
+  s.mission.phase =
+      limit.reaction == Reaction::kReturn ? MissionPhase::kReturning : MissionPhase::kLanding;
+  begin_phase(s.carrying, in.now_s, in.autopilot);
+}
+
+void look_at_plan(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder,
+                  GateResult& r) {
+  ladder.phase = s.mission.phase;
+  ladder.engaged = s.mission.engaged;
+  ladder.planner_lost = in.now_s - std::max(s.last_heard_s, s.begun_s) > p.hover_limit_s;
+  ladder.has_plan = s.has_flown;
+  if (!s.has_flown) return;
+  const double t_s = in.now_s - s.flown.start_s;
+  r.deviation_m = (s.flown.position(t_s) - s.odometry.state.position_enu_m).norm();
+  ladder.off_trajectory = r.deviation_m > p.max_deviation_m;
+  ladder.plan_fresh = is_known(s.last_plan_s, in.now_s, p.plan_fresh_s);
+  ladder.plan_ended = t_s > s.flown.duration_s();
+  Situation now = situation_of(s, in, p);
+  now.flown = &s.flown;
+  const PlanFault fault = ladder.plan_ended ? PlanFault::kNone : check_flown(now, p.plan_check());
+  if (fault != PlanFault::kNone) s.flown_fault = fault;
+  const bool unsafe = s.flown_latch.update(fault != PlanFault::kNone, in.now_s, 0.0, p.recover_s);
+  ladder.flown = unsafe ? s.flown_fault : PlanFault::kNone;
 }
 
 // The vehicle tilts late: it is told the acceleration that it shall have when it will have tilted.
@@ -113,41 +192,38 @@ Setpoint stand_still(const GateState& s, double stamp_s, bool brake) {
 }
 
 // Holds the end of the trajectory where there is one; else brakes first and holds where that ends.
-void latch_hover(GateState& s, const GateInput& in, SafetyMode mode, SafetyReason reason,
-                 const SafetyParams& p) {
-  if (mode != SafetyMode::kHover) {  // also when it brakes: it shall not fly back to an old place
+void latch_hover(GateState& s, const Rung& rung, const SafetyParams& p) {
+  const VehicleState& vehicle = s.odometry.state;
+  if (rung.mode != SafetyMode::kHover) {  // also when it brakes: it shall not fly back
     s.hover_enu_m.reset();
-    if (mode != SafetyMode::kBrake) s.hover_yaw_rad = in.vehicle.yaw_rad();
+    if (rung.mode != SafetyMode::kBrake) s.hover_yaw_rad = vehicle.yaw_rad();
     return;
   }
   if (s.hover_enu_m) return;
-  const bool at_end = reason == SafetyReason::kPlanEnded || reason == SafetyReason::kPlanHolds;
-  if (at_end) {
+  if (rung.reason == SafetyReason::kPlanEnded || rung.reason == SafetyReason::kPlanHolds) {
     s.hover_enu_m = s.flown.position(s.flown.duration_s());
-    s.hover_yaw_rad = s.flown.yaw.nodes.empty() ? in.vehicle.yaw_rad()
-                                                : wrap_angle(s.flown.yaw.nodes.back().angle_rad);
-  } else if (in.vehicle.velocity_enu_m_s.norm() < p.brake_done_m_s) {
-    s.hover_enu_m = in.vehicle.position_enu_m;
+    s.hover_yaw_rad = wrap_angle(s.flown.yaw.nodes.back().angle_rad);
+  } else if (vehicle.velocity_enu_m_s.norm() < p.brake_done_m_s) {
+    s.hover_enu_m = vehicle.position_enu_m;
   }
 }
 
-// Orders, and what the flight controller lets us do.
-void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
-  settle_order(s.order, s.mission, s.carrying, in.writing);
-  if (in.command)
-    take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
-               in.autopilot, p.mission_rules());
-  if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
-    const bool ready = in.now_s - s.last_fresh_s <= p.plan_fresh_s;
-    r.request =
-        carry_out(s.carrying, s.mission,
-                  {in.now_s, in.autopilot, in.ack, ready, s.heartbeat_since_s}, p.carry_out());
-  }
-  r.memory_changed = remember(s.memory, s.mission);
-  if (in.command) {
-    await_writing(s.order, s.memory, r.memory_changed);
-    settle_order(s.order, s.mission, s.carrying, in.writing);
-  }
+void command(GateState& s, const GateInput& in, Rung rung, const SafetyParams& p, GateResult& r) {
+  // Not yet at rest, and nothing says where to hold: take the speed out first.
+  latch_hover(s, rung, p);
+  if (rung.mode == SafetyMode::kHover && !s.hover_enu_m) rung.mode = SafetyMode::kBrake;
+  r.heartbeat = rung.mode != SafetyMode::kSilent;
+  s.heartbeat_since_s = r.heartbeat ? std::min(s.heartbeat_since_s, in.now_s) : 1e18;
+  const bool flies = rung.mode == SafetyMode::kTrack || rung.mode == SafetyMode::kCoast;
+  if (r.heartbeat && in.autopilot.offboard)
+    r.setpoint = flies ? sample(s.flown, in, p.response_s)
+                       : stand_still(s, in.stamp_now_s, rung.mode == SafetyMode::kBrake);
+  else if (r.heartbeat)
+    rung.reason = SafetyReason::kNotOffboard;
+  s.commanded_enu_m_s =
+      r.setpoint && in.autopilot.armed ? r.setpoint->velocity_enu_m_s : Vec3::Zero();
+  r.mode = s.mode = rung.mode;
+  r.reason = rung.reason;
 }
 
 void report(const GateState& s, const GateInput& in, GateResult& r) {
@@ -159,79 +235,40 @@ void report(const GateState& s, const GateInput& in, GateResult& r) {
   r.command_id = s.order.last.id;
   r.plan_age_s = s.last_plan_s < 0.0 ? -1.0 : in.now_s - s.last_plan_s;
   r.plan_id = s.has_flown ? s.flown.id : 0;
+  r.refusal = s.refusal;
 }
 
 }  // namespace
 
 GateState::GateState() {
   for (PlannedTrajectory* plan : {&flown, &next}) {
-    plan->pieces.reserve(kMaxPieces);
-    plan->yaw.nodes.reserve(kMaxNodes);
+    plan->pieces.reserve(kMaxPlanPieces);
+    plan->yaw.nodes.reserve(kMaxPlanNodes);
   }
 }
 
 GateResult gate(GateState& state, const GateInput& in, const SafetyParams& params) {
-  if (state.idle_since_s < 0.0) state.idle_since_s = in.now_s;
+  if (state.begun_s < 0.0) state.begun_s = in.now_s;
   GateResult r;
-  take_plan(state, in);
+  LadderInput ladder;
+  take_odometry(state.odometry, in.vehicle, in.vehicle_at_s, {in.now_s, in.stamp_now_s},
+                params.odometry());
+  take_plan(state, in, params);
+  watch(state, in, params, ladder);
+  react(state, in, ladder.limit);
   conduct(state, in, params, r);
-  if (state.has_flown)
-    r.deviation_m =
-        (state.flown.position(in.now_s - state.flown.start_s) - in.vehicle.position_enu_m).norm();
-  auto [mode, reason] = choose_rung(state, in, r, params);
-  if (mode != SafetyMode::kSilent && has_waited_too_long(state, in, params))
-    mode = SafetyMode::kSilent, reason = SafetyReason::kPlanStale;
-  // Not yet at rest, and nothing says where to hold: take the speed out first.
-  latch_hover(state, in, mode, reason, params);
-  if (mode == SafetyMode::kHover && !state.hover_enu_m) mode = SafetyMode::kBrake;
-
-  r.heartbeat = mode != SafetyMode::kSilent;
-  state.heartbeat_since_s = r.heartbeat ? std::min(state.heartbeat_since_s, in.now_s) : 1e18;
-  if (r.heartbeat && in.autopilot.offboard) {
-    const bool flies = mode == SafetyMode::kTrack || mode == SafetyMode::kCoast;
-    r.setpoint = flies ? sample(state.flown, in, params.response_s)
-                       : stand_still(state, in.stamp_now_s, mode == SafetyMode::kBrake);
-  } else if (r.heartbeat) {
-    reason = SafetyReason::kNotOffboard;
-  }
-  r.mode = mode;
-  r.reason = reason;
+  look_at_plan(state, in, params, ladder, r);
+  command(state, in, choose_rung(ladder), params, r);
+  write_memory(state, in, r);
+  r.limit = ladder.limit;
   report(state, in, r);
+  state.ticked_s = in.now_s;
   return r;
 }
 
 void restore(GateState& state, const GateMemory& memory, double now_s, const SafetyParams& params) {
   state.mission = mission_of(memory, now_s, params.mission_rules());
   state.memory = memory;
-}
-
-std::string_view to_string(SafetyMode mode) {
-  constexpr std::array<std::string_view, 5> names = {"track", "coast", "hover", "brake", "silent"};
-  return names[static_cast<std::size_t>(mode)];
-}
-std::string_view to_string(SafetyReason reason) {
-  constexpr std::array<std::string_view, 20> names = {
-      "",
-      "no plan yet",
-      "no fresh plan",
-      "the plan has ended",
-      "the planner holds",
-      "the vehicle is off its trajectory",
-      "no vehicle state",
-      "no word from the flight controller",
-      "not in offboard mode",
-      "an operator's order",
-      "the odometry jumps",
-      "the odometry is frozen",
-      "the odometry disagrees with its own velocity",
-      "an obstacle is in the way",
-      "somebody is in the way",
-      "outside of the fence",
-      "outside of the altitudes",
-      "the battery is at its reserve",
-      "no word from the operator",
-      "the images are frozen, dark or covered"};
-  return names[static_cast<std::size_t>(reason)];
 }
 
 }  // namespace foretrack

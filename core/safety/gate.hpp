@@ -13,43 +13,11 @@
 #include "core/common/moving_body.hpp"
 #include "core/common/trajectory.hpp"
 #include "core/common/vehicle.hpp"
+#include "core/safety/ladder.hpp"
 #include "core/safety/safety_params.hpp"
 #include "core/safety/take_order.hpp"
 
 namespace foretrack {
-
-/// The rungs, best first.
-enum class SafetyMode : std::uint8_t {
-  kTrack,   // a fresh plan is flown
-  kCoast,   // plans have ceased: the last one and its stop tail are flown
-  kHover,   // the position is held
-  kBrake,   // the velocity is taken out, wherever that ends
-  kSilent,  // neither setpoints nor heartbeat: the flight controller's own failsafe takes over
-};
-enum class SafetyReason : std::uint8_t {
-  kNone,
-  kNoPlanYet,
-  kPlanStale,
-  kPlanEnded,
-  kPlanHolds,       // the planner itself asks to stand still
-  kOffTrajectory,   // the vehicle is far from where it was told to be
-  kVehicleStale,    // no vehicle state
-  kAutopilotStale,  // nothing heard from the flight controller
-  kNotOffboard,     // another mode flies the vehicle
-  kMission,         // an operator's order
-  kOdometryJumps,
-  kOdometryFrozen,     // it stands still while motion is commanded
-  kOdometryDisagrees,  // with its own velocity
-  kPlanBlocked,        // what is flown leads into what the map says now
-  kBodyNear,           // what is flown leads too near to somebody
-  kFence,
-  kAltitude,
-  kBattery,
-  kLink,    // no word from the operator
-  kImages,  // frozen, dark or covered
-};
-std::string_view to_string(SafetyMode mode);
-std::string_view to_string(SafetyReason reason);
 
 /// What has come, and when by the monotonic clock (-1: never). Pointers: null, nothing new came.
 /// Stamps are read from a clock that may be set at any time: they are compared with `stamp_now_s`
@@ -70,6 +38,7 @@ struct GateInput {
   double bodies_at_s = -1.0;
   const BatteryState* battery = nullptr;  // the newest there is
   double operator_at_s = -1.0;            // the operator's last heartbeat
+  bool images_blind = false;              // a camera or the depth image is frozen, dark or covered
   MemoryWriting writing;
 };
 
@@ -80,16 +49,27 @@ struct GateState {
   PlannedTrajectory next;   // waits for its start_s
   bool has_flown = false;
   bool has_next = false;
-  double last_plan_s = -1.0;   // when the last plan came
-  double last_fresh_s = -1e9;  // when the last one came that follows a target
-  double idle_since_s = -1.0;  // since when no plan has come at all
+  std::uint64_t newest_id = 0;           // of the plans that were taken
+  double last_plan_s = -1.0;             // when the last plan came that may be flown
+  double last_heard_s = -1.0;            // or any
+  double last_fresh_s = -1e9;            // when the last one came that follows a target
+  PlanFault refusal = PlanFault::kNone;  // of the last plan
+  PlanFaultCounts refused{};
+  Latch flown_latch, vehicle_latch, image_latch;
+  PlanFault flown_fault = PlanFault::kNone;  // that was seen last
+  OdometryWatch odometry;
+  LimitWatch limits;
+  double ticked_s = -1.0;
   double heartbeat_since_s = 1e18;
+  SafetyMode mode = SafetyMode::kSilent;
+  Vec3 commanded_enu_m_s = Vec3::Zero();
   std::optional<Vec3> hover_enu_m;
   double hover_yaw_rad = 0.0;
   Mission mission;
   OrderState order;
   CarryOut carrying;
   GateMemory memory;
+  double begun_s = -1.0;  // the first tick
 };
 
 struct GateResult {
@@ -103,15 +83,17 @@ struct GateResult {
   AutopilotRequest asked = AutopilotRequest::kNone;  // the last request
   CommandResult answer = CommandResult::kAccepted;   // to it
   MissionResult command_result = MissionResult::kNone;
-  std::uint64_t command_id = 0;  // of the last command; 0: none yet
-  bool memory_changed = false;   // state.memory is to be written
-  double plan_age_s = -1.0;      // < 0: no plan yet
-  double deviation_m = 0.0;      // from the flown trajectory
-  std::uint64_t plan_id = 0;     // that is flown
+  std::uint64_t command_id = 0;          // of the last command; 0: none yet
+  bool memory_changed = false;           // state.memory is to be written
+  double plan_age_s = -1.0;              // < 0: no plan yet
+  double deviation_m = 0.0;              // from the flown trajectory
+  std::uint64_t plan_id = 0;             // that is flown
+  PlanFault refusal = PlanFault::kNone;  // of the last plan that came
+  LimitVerdict limit;
 };
 
-/// One tick (100 Hz). Precondition: now_s does not fall. Allocates nothing, throws nothing. Cost: a
-/// few microseconds, a copy of a plan when one comes.
+/// One tick (100 Hz). Precondition: now_s does not fall. Allocates nothing, throws nothing. Cost:
+/// about 30 µs with a map and 16 bodies, 0.1 ms more when a plan comes.
 GateResult gate(GateState& state, const GateInput& input, const SafetyParams& params);
 
 /// Before the first tick after a restart: what the memory says. Nothing is resumed.

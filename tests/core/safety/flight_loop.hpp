@@ -11,7 +11,7 @@ namespace foretrack::testing {
 
 inline constexpr double kTick_s = 0.01;
 
-/// Straight along x at 1 m/s for 2 s, then to rest within 1 s.
+/// Straight along x at 0.5 m/s for 2 s, then to rest within 1 s.
 inline PlannedTrajectory straight_plan(std::uint64_t id, double start_s, double from_x_m = 0.0) {
   PlannedTrajectory plan;
   plan.id = id;
@@ -19,13 +19,13 @@ inline PlannedTrajectory straight_plan(std::uint64_t id, double start_s, double 
   plan.status = PlanStatus::kFresh;
   QuinticPiece cruise{.duration_s = 2.0};
   cruise.coefficients.row(0) = Vec3(from_x_m, 0, 1.5);
-  cruise.coefficients.row(1) = Vec3(1, 0, 0);
-  QuinticPiece tail{.duration_s =
-                        1.0};  // p = x + t − t³ + t⁴/2: v(0) = 1, v(1) = 0, a(0) = a(1) = 0
-  tail.coefficients.row(0) = Vec3(from_x_m + 2.0, 0, 1.5);
-  tail.coefficients.row(1) = Vec3(1, 0, 0);
-  tail.coefficients.row(3) = Vec3(-1, 0, 0);
-  tail.coefficients.row(4) = Vec3(0.5, 0, 0);
+  cruise.coefficients.row(1) = Vec3(0.5, 0, 0);
+  // p = x + (t − t³ + t⁴/2) / 2: v(0) = 0.5, v(1) = 0, a(0) = a(1) = 0.
+  QuinticPiece tail{.duration_s = 1.0};
+  tail.coefficients.row(0) = Vec3(from_x_m + 1.0, 0, 1.5);
+  tail.coefficients.row(1) = Vec3(0.5, 0, 0);
+  tail.coefficients.row(3) = Vec3(-0.5, 0, 0);
+  tail.coefficients.row(4) = Vec3(0.25, 0, 0);
   plan.pieces = {cruise, tail};
   plan.tail_start_s = 2.0;
   plan.yaw.nodes = {{0.0, 0.0}};
@@ -43,6 +43,21 @@ inline PlannedTrajectory still_plan(std::uint64_t id, double start_s, const Vec3
   plan.tail_start_s = 0.5;
   plan.yaw.nodes = {{0.0, 0.0}};
   return plan;
+}
+
+/// Free as far as it reaches, from (−10, −10, −1) to (20, 10, 5), and given once and for all.
+inline const GridMap& open_map() {
+  static const GridMap map = [] {
+    GridMap free;
+    free.resolution_m = 0.25;
+    free.origin_enu_m = Vec3(-10.0, -10.0, -1.0);
+    free.size = {120, 80, 24};
+    free.cells.assign(free.cell_count(), static_cast<std::uint8_t>(Cell::kFree));
+    free.occupied_distance_cm.assign(free.cell_count(), 255);
+    free.unfree_distance_cm.assign(free.cell_count(), 255);
+    return free;
+  }();
+  return map;
 }
 
 /// Grants what is asked in the next tick, with an answer, unless told otherwise.
@@ -90,8 +105,10 @@ struct FlightLoop {
   std::optional<Vec3> displaced;
   VehicleState vehicle{.position_enu_m = Vec3(0, 0, 1.5)};
   double vehicle_at_s = -1.0, autopilot_at_s = -1.0;
-  std::uint64_t last_order = 0, last_plan = 1000;
+  std::uint64_t last_order = 0, last_plan = 0;
   GateInput extra;  // map, bodies, battery, …
+
+  FlightLoop() { extra.map = &open_map(); }
 
   double stamp_now_s() const { return now_s + clock_offset_s; }
 

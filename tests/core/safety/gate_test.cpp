@@ -22,28 +22,28 @@ struct Flying : FlightLoop {
 
 TEST(Gate, TracksAFreshPlanWhereItIsAtThisMoment) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   const auto r = loop.tick(&plan);
   ASSERT_TRUE(r.setpoint);
   EXPECT_EQ(r.mode, SafetyMode::kTrack);
   const auto later = loop.run(0.2);
   ASSERT_TRUE(later.setpoint);
-  EXPECT_NEAR(later.setpoint->position_enu_m.x(), 0.2, 1e-9);
-  EXPECT_NEAR(later.setpoint->velocity_enu_m_s.x(), 1.0, 1e-9);
+  EXPECT_NEAR(later.setpoint->position_enu_m.x(), 0.1, 1e-9);
+  EXPECT_NEAR(later.setpoint->velocity_enu_m_s.x(), 0.5, 1e-9);
 }
 
 TEST(Gate, FliesTheOldPlanUntilTheNewOneStarts) {
   Flying loop;
-  const auto first = loop.plan(1), second = loop.plan(2, 0.06, 0.05);
+  const auto first = loop.plan(1001), second = loop.plan(1002, 0.06, 0.025);
   loop.tick(&first);
-  EXPECT_EQ(loop.tick(&second).plan_id, 1U);
+  EXPECT_EQ(loop.tick(&second).plan_id, 1001U);
   loop.run(0.06);
-  EXPECT_EQ(loop.tick().plan_id, 2U);
+  EXPECT_EQ(loop.tick().plan_id, 1002U);
 }
 
 TEST(Gate, StepsDownFromTrackToCoastToHoverToSilentWhenPlansCease) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   loop.tick(&plan);
   EXPECT_EQ(loop.run(0.2).mode, SafetyMode::kTrack);
   const auto coast = loop.run(0.2);
@@ -53,7 +53,7 @@ TEST(Gate, StepsDownFromTrackToCoastToHoverToSilentWhenPlansCease) {
   const auto hover = loop.run(3.0);
   EXPECT_EQ(hover.mode, SafetyMode::kHover);
   ASSERT_TRUE(hover.setpoint);
-  EXPECT_NEAR(hover.setpoint->position_enu_m.x(), 2.5, 1e-9);
+  EXPECT_NEAR(hover.setpoint->position_enu_m.x(), 1.25, 1e-9);
   EXPECT_EQ(hover.setpoint->velocity_enu_m_s, Vec3::Zero());
   const auto silent = loop.run(3.0);
   EXPECT_EQ(silent.mode, SafetyMode::kSilent);
@@ -63,17 +63,18 @@ TEST(Gate, StepsDownFromTrackToCoastToHoverToSilentWhenPlansCease) {
 
 TEST(Gate, TracksAgainWhenPlansComeBack) {
   Flying loop;
-  const auto first = loop.plan(1);
+  const auto first = loop.plan(1001);
   loop.tick(&first);
   loop.run(4.0);
-  const auto second = loop.plan(2, 0.01, 2.5);
+  loop.last_plan = 1002;
+  const auto second = loop.plan(1002, 0.01, 1.25);
   loop.tick(&second);
   EXPECT_EQ(loop.tick().mode, SafetyMode::kTrack);
 }
 
 TEST(Gate, BrakesWhenTheVehicleIsFarOffItsTrajectory) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   loop.tick(&plan);
   loop.displaced = Vec3(0, 3, 1.5);
   const auto r = loop.tick();
@@ -85,7 +86,7 @@ TEST(Gate, BrakesWhenTheVehicleIsFarOffItsTrajectory) {
 
 TEST(Gate, FallsSilentWithoutVehicleStateOrFlightController) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   loop.tick(&plan);
   loop.vehicle_alive = false;
   EXPECT_EQ(loop.run(0.4).reason, SafetyReason::kVehicleStale);
@@ -98,7 +99,7 @@ TEST(Gate, FallsSilentWithoutVehicleStateOrFlightController) {
 
 TEST(Gate, HoldsOnOrderAndStopsEvenWhenTheOrderIsOldOrRepeated) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   loop.tick(&plan);
   const MissionCommand hold{.id = 5, .stamp_s = loop.stamp_now_s(), .order = MissionOrder::kHold};
   EXPECT_EQ(loop.tick(nullptr, &hold).phase, MissionPhase::kHolding);
@@ -113,7 +114,7 @@ TEST(Gate, HoldsOnOrderAndStopsEvenWhenTheOrderIsOldOrRepeated) {
 
 TEST(Gate, StopsByBrakingAndThenHoldsWhereItCameToRest) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   loop.tick(&plan);
   loop.vehicle.velocity_enu_m_s = Vec3(1, 0, 0);
   EXPECT_EQ(loop.order(MissionOrder::kStop).mode, SafetyMode::kBrake);
@@ -127,21 +128,23 @@ TEST(Gate, StopsByBrakingAndThenHoldsWhereItCameToRest) {
 
 TEST(Gate, StartsTheWaitingPlanBeforeANewerOneTakesItsPlace) {
   Flying loop;
-  const auto first = loop.plan(1), second = loop.plan(2, 0.05, 0.04);
+  const auto first = loop.plan(1001), second = loop.plan(1002, 0.05, 0.02);
   loop.tick(&first);
   loop.tick(&second);
   loop.run(0.02);  // the second starts at the next tick, with which a third comes
-  const auto third = loop.plan(3, 0.4, 0.43);
-  EXPECT_EQ(loop.tick(&third).plan_id, 2U);
+  const auto third = loop.plan(1003, 0.4, 0.215);
+  EXPECT_EQ(loop.tick(&third).plan_id, 1002U);
 }
 
 TEST(Gate, HoldsWhereItCameToRestAndNotWhereItHeldBeforeItWasPushedAway) {
   Flying loop;
-  const auto plan = loop.plan(1);
+  const auto plan = loop.plan(1001);
   loop.tick(&plan);
   ASSERT_EQ(loop.run(3.2).mode, SafetyMode::kHover);
+  loop.last_plan = 1002;
   loop.displaced = Vec3(0, 4, 1.5);
   ASSERT_EQ(loop.tick().mode, SafetyMode::kBrake);
+  loop.run_with_plans(loop.params.odometry_settle_s + 3.0);
   const auto r = loop.order(MissionOrder::kHold);
   ASSERT_EQ(r.mode, SafetyMode::kHover);
   ASSERT_TRUE(r.setpoint);
@@ -151,14 +154,14 @@ TEST(Gate, HoldsWhereItCameToRestAndNotWhereItHeldBeforeItWasPushedAway) {
 TEST(Gate, FliesOnByTheMonotonicClockWhenTheOtherIsSet) {
   for (const double step_s : {3600.0, -3600.0, 0.45}) {
     Flying loop;
-    const auto plan = loop.plan(1);
+    const auto plan = loop.plan(1001);
     loop.tick(&plan);
     loop.run(0.1);
     loop.clock_offset_s += step_s;
     const auto r = loop.run(0.1);
     EXPECT_EQ(r.mode, SafetyMode::kTrack) << step_s;
     ASSERT_TRUE(r.setpoint);
-    EXPECT_NEAR(r.setpoint->position_enu_m.x(), 0.2, 1e-9) << step_s;
+    EXPECT_NEAR(r.setpoint->position_enu_m.x(), 0.1, 1e-9) << step_s;
     EXPECT_EQ(loop.run(0.2).mode, SafetyMode::kCoast) << step_s;
   }
 }
