@@ -69,10 +69,10 @@ struct TrackerOutput {
   GateResult gate;                       ///< what the flight controller is to be given
 };
 
-/// perceive → update map → track bodies → predict → plan → gate. Predictions and plans are made once in
-/// planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's rate (100 Hz).
-/// Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with a plan 1 ms
-/// more. Allocates nothing after the first seconds in a known map.
+/// perceive → update map → track bodies → predict → plan → gate. Predictions and plans are made
+/// once in planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's rate
+/// (100 Hz). Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with a
+/// plan 1 ms more. Allocates nothing after the first seconds in a known map.
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params);
 
 }  // namespace foretrack

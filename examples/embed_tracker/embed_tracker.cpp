@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All stages in one thread and without DDS: your odometry and your observations of the person go
-// in, setpoints for your flight controller come out. A made-up walk and a vehicle that flies exactly
-// as it is told stand here for yours.
+// in, setpoints for your flight controller come out. A made-up walk and a vehicle that flies
+// exactly as it is told stand here for yours.
 #include <algorithm>
 #include <cstdio>
 

@@ -22,8 +22,8 @@ struct LookAhead {
   SearchState search;
   WaypointPath way;
   std::array<std::vector<View>, kMaxIntentions> views;  // of each expected path
-  bool target_seen = false;                              // some waypoint sees its z_k
-  bool path_found = false;                               // some waypoint was reached
+  bool target_seen = false;                             // some waypoint sees its z_k
+  bool path_found = false;                              // some waypoint was reached
 };
 
 /// Paper §V.A: for each z_k of the likeliest path a search for waypoint k goes on from waypoint

@@ -83,7 +83,8 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                        .autopilot = s.simulator.autopilot,
                        .observation = s.simulator.observation ? &*s.simulator.observation : nullptr,
                        .depth = s.known_map ? nullptr : s.simulator.depth,
-                       .known_map = s.known_map};
+                       .known_map = s.known_map,
+                       .sightings = s.simulator.sightings ? &*s.simulator.sightings : nullptr};
     if (const auto* seen =
             eye ? eye->look(s.simulator, tracker.perception, tracker.vehicles) : nullptr) {
       if (seen->found) input.observation = &seen->observation;

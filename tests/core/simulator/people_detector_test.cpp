@@ -53,7 +53,7 @@ TEST(PeopleDetector, ErrorsHaveTheCovarianceThatItSays) {
     const auto look = detect(detector, {}, vehicle_at(0.1 * i), people, nobody());
     ASSERT_TRUE(look);
     ASSERT_EQ(look->count, 1);
-    const BodySighting& s = look->sightings[0];
+    const BodySighting& s = look->bodies[0];
     const Vec2 error = s.position_enu_m.head<2>() - Vec2(4.0, 2.0);
     sum += error.dot(s.covariance_m2.inverse() * error) / n;
     EXPECT_NEAR(s.position_enu_m.z(), 0.0, 1e-9);

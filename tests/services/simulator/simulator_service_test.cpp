@@ -143,8 +143,8 @@ TEST_F(SimulatorOnDds, AnswersCommandsToItsSystemAndNoOthers) {
         command.write();
         command.sample().command(9999);
         command.write();
-        to_idl(AutopilotCommand{.mode = FlightMode::kHold, .target_system = 2},
-               neighbours_.now_s(), command.sample());
+        to_idl(AutopilotCommand{.mode = FlightMode::kHold, .target_system = 2}, neighbours_.now_s(),
+               command.sample());
         command.write();
       }));
 }
