@@ -133,7 +133,7 @@ def draw_top_view(axes, log, scenario, people):
     axes.set_xlim(min(xs) - 3, max(xs) + 3)
     axes.set_ylim(min(ys) - 3, max(ys) + 3)
     axes.set_aspect("equal")
-    axes.set_xlabel("x [m]")
+    axes.set_xlabel("x [m]", loc="right")  # beside the legend
     axes.set_ylabel("y [m]")
     axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.06), ncol=6, fontsize=8, frameon=False)
     bar = axes.figure.colorbar(lines, ax=axes, label="time [s]", fraction=0.03, pad=0.01)
