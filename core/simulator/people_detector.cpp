@@ -53,6 +53,7 @@ BodySighting measure(const PeopleDetectorParams& p, const Vec3& eye, const Perso
   const double range_m = p.range_noise * far_m;
   const double side_m = p.side_noise_m * std::max(1.0, far_m / kSideNoiseAt_m);
   BodySighting seen;
+  seen.kind = BodyKind::kPerson;
   seen.position_enu_m = foot;
   seen.position_enu_m.head<2>() += range_m * random.normal() * u + side_m * random.normal() * side;
   seen.covariance_m2 =

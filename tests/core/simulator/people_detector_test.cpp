@@ -54,6 +54,7 @@ TEST(PeopleDetector, ErrorsHaveTheCovarianceThatItSays) {
     ASSERT_TRUE(look);
     ASSERT_EQ(look->count, 1);
     const BodySighting& s = look->bodies[0];
+    EXPECT_EQ(s.kind, BodyKind::kPerson);
     const Vec2 error = s.position_enu_m.head<2>() - Vec2(4.0, 2.0);
     sum += error.dot(s.covariance_m2.inverse() * error) / n;
     EXPECT_NEAR(s.position_enu_m.z(), 0.0, 1e-9);
