@@ -23,6 +23,7 @@ struct Pool {
 void add(const EncounterRecord& e, Pool& pool) {
   EncounterCell& c = pool.cell;
   ++c.encounters;
+  c.person_encounters += e.person == 0;
   pool.gaps_m.push_back(e.least_gap_m);
   if (e.contact()) {
     ++(e.person == 0 ? c.person_contacts : c.bystander_contacts);
@@ -98,6 +99,7 @@ Json json_of(const EncounterCell& c) {
           {"speed_m_s", c.speed_m_s},
           {"flights", c.flights},
           {"encounters", c.encounters},
+          {"person_encounters", c.person_encounters},
           {"contacts", c.contacts()},
           {"contact_95", json_of(c.contact_95)},
           {"person_contacts", c.person_contacts},

@@ -47,6 +47,7 @@ TEST(EncounterSummary, PoolsByKindAndByPlace) {
   EXPECT_EQ(head_on.name, "head_on");
   EXPECT_EQ(head_on.flights, 2);
   EXPECT_EQ(head_on.encounters, 4);
+  EXPECT_EQ(head_on.person_encounters, 1);
   EXPECT_EQ(head_on.contacts(), 1);
   EXPECT_EQ(head_on.bystander_contacts, 1);
   EXPECT_EQ(head_on.floor_judged, 4);
