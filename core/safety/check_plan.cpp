@@ -41,11 +41,12 @@ Course stop_of(const Situation& now, const PlanCheckParams& p) {
 bool is_near(const Course& course, double begin_s, const MovingBody& body,
              std::span<const Course> others, const Situation& now, const PlanCheckParams& p,
              double until_s) {
-  const double gap_m = least_gap_m(course, body, p.clearances.vehicle_radius_m, begin_s, until_s);
+  const double gap_m =
+      least_expected_gap_m(course, body, p.clearances.vehicle_radius_m, begin_s, until_s);
   if (gap_m >= p.clearances.body_m) return false;
   return std::ranges::any_of(others, [&](const Course& other) {
-    return least_gap_m(other, body, p.clearances.vehicle_radius_m, now.moment.stamp_now_s,
-                       until_s) > gap_m + kNoWorse_m;
+    return least_expected_gap_m(other, body, p.clearances.vehicle_radius_m, now.moment.stamp_now_s,
+                                until_s) > gap_m + kNoWorse_m;
   });
 }
 

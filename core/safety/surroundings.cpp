@@ -99,8 +99,8 @@ double time_out_of_bounds(const Course& course, const FlightBounds& bounds, doub
   }
 }
 
-double least_gap_m(const Course& course, const MovingBody& body, double vehicle_radius_m,
-                   double begin_s, double until_s) {
+double least_expected_gap_m(const Course& course, const MovingBody& body, double vehicle_radius_m,
+                            double begin_s, double until_s) {
   double least = std::numeric_limits<double>::infinity();
   const int looks = static_cast<int>(std::ceil(until_s / kLook_s));
   for (int i = 0; i <= looks; ++i) {

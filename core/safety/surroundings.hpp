@@ -60,7 +60,7 @@ double time_out_of_bounds(const Course& course, const FlightBounds& bounds, doub
 
 /// The least expected gap to the body in the course's first `until_s`, which begin at begin_s (as
 /// the body's stamps have it). Looked at every 20 ms at least.
-double least_gap_m(const Course& course, const MovingBody& body, double vehicle_radius_m,
-                   double begin_s, double until_s);
+double least_expected_gap_m(const Course& course, const MovingBody& body, double vehicle_radius_m,
+                            double begin_s, double until_s);
 
 }  // namespace foretrack
