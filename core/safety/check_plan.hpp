@@ -28,7 +28,7 @@ struct Situation {
   Joint vehicle;                             // as measured, carried on to now
   std::uint64_t last_id = 0;                 // of the plans of late; 0: there were none
   double last_start_s = -1e18;               // of the last one, monotonic
-  Surroundings around;
+  GateSurroundings around;
 };
 
 /// Judges a plan that has pieces. start_s and stamp_s are on the clock of stamps.

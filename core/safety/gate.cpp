@@ -39,8 +39,8 @@ bool is_flown_or_waits(const GateState& s, std::uint64_t id) {
   return (s.has_flown && id == s.flown.id) || (s.has_next && id == s.next.id);
 }
 
-Surroundings surroundings_of(const GateState& s, const GateInput& in, const SafetyParams& p) {
-  Surroundings around;
+GateSurroundings surroundings_of(const GateState& s, const GateInput& in, const SafetyParams& p) {
+  GateSurroundings around;
   // A map that was given once and for all has no stamp.
   if (in.map && (in.map->stamp_s == 0.0 || is_known(in.map_at_s, in.now_s, p.map_stale_s)))
     around.map = in.map->empty() ? nullptr : in.map;
@@ -131,7 +131,7 @@ void watch(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput
   ladder.vehicle_stale = s.vehicle_latch.update(
       !is_known(s.odometry.at_s, in.now_s, p.vehicle_stale_s), in.now_s, 0.0, p.recover_s);
   ladder.images_blind = s.image_latch.update(in.images_blind, in.now_s, 0.0, p.recover_s);
-  const Surroundings around = surroundings_of(s, in, p);
+  const GateSurroundings around = surroundings_of(s, in, p);
   ladder.limit = watch_limits(s.limits,
                               {.now_s = in.now_s,
                                .place_enu_m = s.odometry.state.position_enu_m,

@@ -10,7 +10,7 @@
 namespace foretrack {
 
 /// World ENU. Null: not known.
-struct Surroundings {
+struct GateSurroundings {
   const GridMap* map = nullptr;
   const MovingBodies* bodies = nullptr;
   FlightBounds bounds = {};
