@@ -42,7 +42,8 @@ std::optional<VehicleState> VehicleHistory::at(double stamp_s, double slack_s) c
     return states_[(next_ + i) % states_.size()];
   };
   const VehicleState &oldest = nth(0), &latest = nth(states_.size() - 1);
-  if (stamp_s < oldest.stamp_s - slack_s || stamp_s > latest.stamp_s + slack_s) return std::nullopt;
+  const bool inside = stamp_s >= oldest.stamp_s - slack_s && stamp_s <= latest.stamp_s + slack_s;
+  if (!inside) return std::nullopt;  // nor is NaN
   if (stamp_s <= oldest.stamp_s) return oldest;
   if (stamp_s >= latest.stamp_s) return latest;
   std::size_t low = 0, high = states_.size() - 1;

@@ -53,6 +53,7 @@ std::optional<ImageRegion> search_window(const RgbImage& image,
     for (const auto& [x, y] : kParts)
       windows.add(image,
                   {area.centre_px + 0.25 * area.size_px * Vec2(x, y), 0.5 * area.size_px, 0.0});
+  if (windows.count == 0) return std::nullopt;  // a point on the image's edge
   return windows.items[static_cast<std::size_t>(look % windows.count)];
 }
 

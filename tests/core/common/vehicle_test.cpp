@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace foretrack {
 namespace {
 
@@ -93,6 +95,13 @@ TEST(VehicleHistory, HoldsAtLeastOneState) {
   history.add({.stamp_s = 1.0});
   history.add({.stamp_s = 2.0});
   EXPECT_EQ(history.newest()->stamp_s, 2.0);
+}
+
+TEST(VehicleHistory, AtNoTimeThereIsNoState) {
+  VehicleHistory history;
+  history.add({.stamp_s = 1.0});
+  history.add({.stamp_s = 2.0});
+  EXPECT_FALSE(history.at(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace

@@ -75,5 +75,13 @@ TEST(SearchWindow, EveryWindowOfAnyImageSeesSomeOfIt) {
     }
 }
 
+TEST(SearchWindow, APlaceThatOnlyTouchesTheImageIsNotLookedAt) {
+  for (const ExpectedPlace& place :
+       {ExpectedPlace{{-40.0, 100.0}, 40.0, 0.0}, ExpectedPlace{{0.0, 100.0}, 0.0, 0.0},
+        ExpectedPlace{{640.0, 480.0}, 0.0, 0.0}})
+    for (int look = 0; look < kMostWindows; ++look)
+      EXPECT_FALSE(search_window(picture(640, 480), place, look));
+}
+
 }  // namespace
 }  // namespace foretrack
