@@ -12,13 +12,15 @@
 
 namespace foretrack {
 
+/// The camera that renders.
 struct ColorCameraParams {
   CameraModel camera;
   double rate_hz = 30.0;
 };
 
+/// One rendered image.
 struct ColorImage {
-  double stamp_s = 0.0;
+  double stamp_s = 0.0;  ///< when it was taken
   CameraModel camera;
   RgbImage pixels;
 };
@@ -29,22 +31,24 @@ struct Bystander {
   Person person;
 };
 
+/// A camera with what it renders and the last image.
 struct ColorCamera {
   ColorCameraParams params;
-  std::shared_ptr<const PersonModel> person;
+  std::shared_ptr<const PersonModel> person;  ///< who is followed
   Scenery scenery;
-  Canvas canvas;
+  Canvas canvas;  ///< of the last image, with its depths
   ColorImage image;
-  double next_image_s = 0.0;
-  std::vector<Corner> posed, shadow;  // workspace
-  std::vector<Bystander> bystanders;  // where they are now is the caller's business
+  double next_image_s = 0.0;          ///< when one is due
+  std::vector<Corner> posed, shadow;  ///< workspace
+  std::vector<Bystander> bystanders;  ///< the caller moves them
 };
 
-/// Throws std::invalid_argument without a person.
+/// A camera in a world. Throws std::invalid_argument without a person.
 ColorCamera make_color_camera(const ColorCameraParams& params, const World& world,
                               std::shared_ptr<const PersonModel> person);
 
-/// Renders the image, and in the canvas the depths. Cost: about 10 ms for 640 × 480 pixels.
+/// Renders what the camera sees from the vehicle at its stamp: the image, and in the canvas the
+/// depths. Cost: about 10 ms for 640 × 480 pixels.
 void render(ColorCamera& camera, const VehicleState& vehicle, const PersonState& person,
             double height_m);
 
@@ -52,9 +56,10 @@ void render(ColorCamera& camera, const VehicleState& vehicle, const PersonState&
 const ColorImage* image_color(ColorCamera& camera, const VehicleState& vehicle,
                               const PersonState& person, double height_m);
 
-/// What a depth camera at the same place measured in the same instant: the depths of the last
-/// render() along its own rays, with its own noise. Sky: twice its range. Valid until its next
-/// image. Rays that leave the colour image have no return.
+/// What a depth camera at the same place measures in the same instant: the depths of the last
+/// render() along its own rays, with its own noise. Where there is sky: twice its range. Rays that
+/// leave the colour image have no return. Null if no image of the depth camera is due. Valid until
+/// its next image.
 const DepthImage* depth_of(const ColorCamera& camera, DepthCamera& depth);
 
 }  // namespace foretrack

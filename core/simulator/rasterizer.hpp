@@ -16,7 +16,7 @@ namespace foretrack {
 
 /// A corner of a polygon. Texture coordinates count repeats; light multiplies the texture's colour.
 struct Corner {
-  Eigen::Vector3f camera_m = Eigen::Vector3f::Zero();  // optical frame
+  Eigen::Vector3f camera_m = Eigen::Vector3f::Zero();  ///< optical frame
   float u = 0.0F, v = 0.0F;
   float light = 1.0F;
 };
@@ -29,24 +29,27 @@ struct ScreenPlane {
 
 /// A drawn polygon: everything about it but its outline.
 struct Facet {
-  ScreenPlane inverse_depth, u, v, light;  // the last three over the depth
+  ScreenPlane inverse_depth;  ///< 1/m
+  ScreenPlane u, v, light;    ///< each divided by the depth
   const Texture* texture = nullptr;
 };
 
 struct Canvas {
   CameraModel camera;
   RgbImage color;
-  std::vector<float> inverse_depth;  // 1/m along the optical axis, row-major; 0: sky
-  std::vector<std::int32_t> facet;   // that the pixel shows; −1: sky
-  std::vector<Facet> facets;         // of this image
+  std::vector<float> inverse_depth;  ///< of each pixel, 1/m along the optical axis; 0: sky
+  std::vector<std::int32_t> facet;   ///< index of the facet that each pixel shows; −1: sky
+  std::vector<Facet> facets;         ///< of this image
 };
+/// A canvas of the camera's size with nothing but sky.
 Canvas make_canvas(const CameraModel& camera);
 
-/// Nothing but sky.
+/// Leaves nothing but sky.
 void clear(Canvas& canvas);
 
-/// Draws a flat convex polygon whose corners run counter-clockwise as seen from outside; from
-/// behind it is not drawn. The texture must outlive shade(). Parts nearer than 5 cm are cut off.
+/// Draws a flat convex polygon of three to eight corners, which run counter-clockwise as seen from
+/// outside. From behind it is not drawn. Parts nearer than 5 cm are cut off. The texture must
+/// outlive shade().
 void draw(Canvas& canvas, std::span<const Corner> polygon, const Texture& texture);
 
 }  // namespace foretrack

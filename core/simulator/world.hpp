@@ -8,34 +8,36 @@
 
 namespace foretrack {
 
-/// Axis-aligned, world ENU.
+/// A box with its sides along the axes of world ENU.
 struct Box {
   Vec3 min_m = Vec3::Zero();
   Vec3 max_m = Vec3::Zero();
 };
 
-/// Upright, from base_m to base_m + height_m.
+/// An upright cylinder, world ENU.
 struct Cylinder {
-  Vec2 center_m = Vec2::Zero();
+  Vec2 center_m = Vec2::Zero();  ///< of its axis, on the ground plane
   double radius_m = 0.5;
   double height_m = 4.0;
-  double base_m = 0.0;
+  double base_m = 0.0;  ///< z of its lower face
 };
 
-/// What is really there. The ground at min_m.z() is not a shape: only depth cameras and the bounds
-/// know it.
+/// What is really there. The ground at min_m.z() is not a shape: only cameras and the bounds know
+/// it.
 struct World {
   Vec3 min_m = Vec3(-20.0, -20.0, 0.0);
   Vec3 max_m = Vec3(20.0, 20.0, 5.0);
   std::vector<Box> boxes;
   std::vector<Cylinder> cylinders;
 
+  /// True if the point is within the bounds.
   bool contains(const Vec3& p) const {
     return (p.array() >= min_m.array()).all() && (p.array() <= max_m.array()).all();
   }
 };
 
-/// Distance along the unit direction to the shape: 0 from inside, infinity if it is missed. Exact.
+/// Distance along the unit direction to the shape: 0 from inside, infinity if the ray misses it.
+/// Exact. Directions that are not of unit length give the distance in their lengths.
 double ray_distance_m(const Box& box, const Vec3& from_enu_m, const Vec3& direction);
 double ray_distance_m(const Cylinder& cylinder, const Vec3& from_enu_m, const Vec3& direction);
 
@@ -43,7 +45,8 @@ double ray_distance_m(const Cylinder& cylinder, const Vec3& from_enu_m, const Ve
 double signed_distance_m(const Box& box, const Vec3& point_enu_m);
 double signed_distance_m(const Cylinder& cylinder, const Vec3& point_enu_m);
 
-/// Distance to the first shape, at most range_m (range_m: none). Cost: linear in the shapes.
+/// Distance along the unit direction to the first shape, at most range_m (range_m: there is none).
+/// Cost: linear in the shapes.
 double ray_distance_m(const World& world, const Vec3& from_enu_m, const Vec3& direction,
                       double range_m);
 
@@ -54,14 +57,15 @@ bool line_of_sight(const World& world, const Vec3& from_enu_m, const Vec3& to_en
 /// the bounds are not counted.
 double clearance_m(const World& world, const Vec3& point_enu_m);
 
-/// Distance on the ground plane from a point (or a walked line) to the nearest shape that reaches
-/// below height_m.
+/// Distance on the ground plane from a point, or from a line that somebody walks, to the nearest
+/// shape that begins below height_m; 0 inside or across one; infinity without any.
 double ground_clearance_m(const World& world, const Vec2& point_m, double height_m = 2.0);
 double ground_clearance_m(const World& world, const Vec2& from_m, const Vec2& to_m,
                           double height_m = 2.0);
 
-/// A cell is occupied if it overlaps a shape, else free; the grid covers the bounds. Distances are
-/// filled. Cost: about 30 ms for 40 × 40 × 5 m at 0.15 m, mostly the distance transform.
+/// The world as a voxel map that covers its bounds, with distances. A cell is occupied if it
+/// overlaps a shape, else free. Throws std::invalid_argument if resolution_m is not above 0. Cost:
+/// about 30 ms for 40 × 40 × 5 m at 0.15 m, mostly the distance transform.
 GridMap known_map(const World& world, double resolution_m);
 
 }  // namespace foretrack
