@@ -5,7 +5,6 @@
 
 #include "core/simulator/simulate.hpp"
 #include "tests/support/count_allocations.hpp"
-#include "tests/support/param_rows.hpp"
 
 namespace foretrack {
 namespace {
@@ -109,7 +108,7 @@ TEST(Tracker, WhatIsSeenIsPredictedAndPlannedForInTheSameStep) {
 TEST(Tracker, PlansOnceInAPlanPeriod) {
   for (const int ticks : {1, 3, 10}) {
     Scene scene;
-    scene.params.tracker.plan_period_s = ticks * kTick_s;
+    scene.params.planning.horizon.plan_period_s = ticks * kTick_s;
     for (int i = 0; i < 60; ++i) EXPECT_EQ(scene.tick().planned, i % ticks == 0) << i;
   }
 }
@@ -317,12 +316,6 @@ TEST(Tracker, AllocatesNothingAfterWarmUp) {
   const TrackerOutput out = scene.run(1.0);
   EXPECT_EQ(allocation_count(), before);
   EXPECT_EQ(out.target.status, TrackStatus::kTracking);
-}
-
-TEST(TrackerRates, EveryFieldHasOneRowAndAValidDefault) {
-  TrackerRates rates;
-  EXPECT_EQ(testing::first_hidden_byte(rates), -1);
-  EXPECT_TRUE(faults_of(rows(rates)).empty());
 }
 
 }  // namespace
