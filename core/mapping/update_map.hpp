@@ -32,9 +32,8 @@ std::string_view to_string(MapStatus status);
 /// The map that is being built. It has two parts:
 ///
 /// - A dense box around the vehicle that scrolls with it. It holds the log-odds of each cell.
-/// - An octree of everything that was ever seen. It holds the class of each cell (occupied or
-/// free),
-///   and the box is filled from it where the box comes to lie anew.
+/// - An octree of everything that was ever seen. It holds the class of each cell: occupied or free.
+///   The box is filled from it where the box comes to lie anew.
 ///
 /// Cells of the box and leaves of the octree coincide. Source: Hornung et al. 2013 (OctoMap); the
 /// box is ours.

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <utility>
+
+#include "core/safety/command_of.hpp"
 #include "core/simulator/simulate.hpp"
 #include "tests/support/count_allocations.hpp"
 
@@ -27,7 +31,6 @@ struct Scene {
   double seen_until_s = 1e9;
   int ticks = 0;
   const DepthImage* depth = nullptr;
-  std::optional<MissionCommand> order;
 
   double now_s() const { return kTick_s * ticks; }
   static Vec3 person_at(double time_s) { return {1.0 * time_s, 0.0, 1.2}; }
@@ -60,21 +63,14 @@ struct Scene {
                        .autopilot = {.stamp_s = now_s(), .armed = true, .offboard = true},
                        .observation = seen ? &*seen : nullptr,
                        .depth = depth,
-                       .known_map = known,
-                       .command = order ? &*order : nullptr};
-    const TrackerOutput out = step(*state, input, params);
-    order.reset();
-    return out;
+                       .known_map = known};
+    return step(*state, input, params);
   }
 
   TrackerOutput run(double for_s) {
     TrackerOutput out;
     for (int i = 0; i < std::lround(for_s / kTick_s); ++i) out = tick();
     return out;
-  }
-
-  void order_start() {
-    order = MissionCommand{.id = 1, .stamp_s = now_s(), .order = MissionOrder::kStart};
   }
 };
 
@@ -208,24 +204,6 @@ TEST(Tracker, ADepthOfTheTorsoCorrectsTheRangeOfLandmarks) {
   EXPECT_NEAR(range_m(2.6), 2.6 + params.perception.torso_half_depth_m, 0.02);
 }
 
-TEST(Tracker, NothingIsCommandedBeforeTheStartOrder) {
-  Scene scene;
-  scene.params.safety.start_on_launch = false;
-  for (int i = 0; i < 100; ++i) {
-    const TrackerOutput out = scene.tick();
-    EXPECT_FALSE(out.gate.setpoint);
-    EXPECT_FALSE(out.gate.heartbeat);
-    EXPECT_EQ(out.gate.phase, MissionPhase::kIdle);
-  }
-  scene.order_start();
-  EXPECT_EQ(scene.tick().gate.phase, MissionPhase::kTracking);
-  scene.run(0.2);
-  const TrackerOutput out = scene.tick();
-  ASSERT_TRUE(out.gate.setpoint);
-  EXPECT_EQ(out.gate.mode, SafetyMode::kTrack);
-  EXPECT_GT(out.gate.plan_id, 0U);
-}
-
 TEST(Tracker, PredictionAndPlanAreGivenOutInTheStepThatMadeThemOnly) {
   Scene scene;
   for (int i = 0; i < 20; ++i) {
@@ -249,62 +227,69 @@ struct Flown {
   }
 };
 
-// What the flight controller is given, as a service would do it.
-AutopilotInput obey(const GateResult& gate) {
-  AutopilotInput input;
-  input.heartbeat = gate.heartbeat;
-  input.setpoint = gate.setpoint;
-  if (gate.request == AutopilotRequest::kOffboard) input.mode = AutopilotMode::kOffboard;
-  if (gate.request == AutopilotRequest::kArm) input.arm = true;
-  return input;
-}
-
-/// The whole loop with a simulated vehicle, camera and person.
+/// The whole loop with a simulated vehicle, camera, flight controller and person. An operator
+/// orders to start at a time.
 template <class Watch>
-void fly(double for_s, Watch&& watch) {
+void fly(double for_s, double start_s, Watch&& watch) {
   Scenario scenario;
   scenario.world = arena();
   scenario.target.route_m = {{-1, 0}, {3, 0}, {3, 4}};
   SimulatorState simulator = make_simulator(scenario);
   const GridMap map = known_map(simulator.world, 0.2);
-  TrackerParams params;
-  params.safety.start_on_launch = false;
+  const TrackerParams params;
   TrackerState tracker(params);
   AutopilotInput obeyed;
-  const MissionCommand start{.id = 1, .stamp_s = 0.0, .order = MissionOrder::kStart};
+  bool ordered = false;
   for (int i = 0; i < std::lround(for_s / kTick_s); ++i) {
     const SimulatorOutput& s = simulate(simulator, obeyed, kTick_s);
+    const MissionCommand start{.id = 1, .stamp_s = s.now_s, .order = MissionOrder::kStart};
+    const bool now = s.now_s >= start_s && !std::exchange(ordered, s.now_s >= start_s);
     const TrackerInput input{.now_s = s.now_s,
                              .vehicle = s.vehicle,
                              .autopilot = s.autopilot,
                              .observation = s.observation ? &*s.observation : nullptr,
                              .known_map = &map,
-                             .command = i == 0 ? &start : nullptr};
+                             .command = now ? &start : nullptr};
     const TrackerOutput out = step(tracker, input, params);
-    obeyed = obey(out.gate);
+    obeyed = {.heartbeat = out.gate.heartbeat,
+              .setpoint = out.gate.setpoint,
+              .command = command_of(out.gate.request, 1)};
     watch(s, out);
   }
 }
 
+TEST(Tracker, NothingIsCommandedBeforeTheStartOrderThoughPlansAreMade) {
+  int plans = 0;
+  fly(1.0, 2.0, [&](const SimulatorOutput& s, const TrackerOutput& out) {
+    plans += out.planned;
+    EXPECT_FALSE(out.gate.setpoint) << s.now_s;
+    EXPECT_FALSE(out.gate.heartbeat) << s.now_s;
+    EXPECT_EQ(out.gate.request, AutopilotRequest::kNone) << s.now_s;
+    EXPECT_EQ(out.gate.phase, MissionPhase::kIdle) << s.now_s;
+  });
+  EXPECT_GT(plans, 30);
+}
+
 TEST(Tracker, FollowsAWalkingPersonFromTheStartOrderOn) {
-  double offboard_s = 0.0, farthest_m = 0.0;
-  fly(6.0, [&](const SimulatorOutput& s, const TrackerOutput& out) {
-    if (out.gate.mode == SafetyMode::kTrack && offboard_s == 0.0) offboard_s = s.now_s;
-    if (s.now_s < 2.0) return;
+  double tracks_s = 0.0, farthest_m = 0.0;
+  fly(7.0, 0.5, [&](const SimulatorOutput& s, const TrackerOutput& out) {
+    if (out.gate.mode == SafetyMode::kTrack && out.gate.setpoint && tracks_s == 0.0)
+      tracks_s = s.now_s;
+    if (s.now_s < 3.0) return;
     const Sight sight = sight_of(arena(), CameraModel(), s.vehicle, s.target, 1.75, 8.0);
     EXPECT_TRUE(sight.visible()) << s.now_s;
     farthest_m =
         std::max(farthest_m, distance_xy(s.vehicle.position_enu_m, s.target.position_enu_m));
   });
-  EXPECT_GT(offboard_s, 0.0);
-  EXPECT_LT(offboard_s, 2.0);
-  EXPECT_LT(farthest_m, 4.5) << "the person walks 5 m away from where the vehicle starts";
+  EXPECT_GT(tracks_s, 0.5);
+  EXPECT_LT(tracks_s, 2.5);
+  EXPECT_LT(farthest_m, 4.5) << "the person walks 6 m away from where the vehicle starts";
 }
 
 TEST(Tracker, TheSameInputsGiveTheSameOutputs) {
   std::array<Flown, 2> flights;
   for (Flown& flown : flights)
-    fly(3.0, [&](const SimulatorOutput&, const TrackerOutput& out) { flown.add(out); });
+    fly(3.0, 0.0, [&](const SimulatorOutput&, const TrackerOutput& out) { flown.add(out); });
   EXPECT_GT(flights[0].numbers.size(), 10000U);
   EXPECT_EQ(flights[0].numbers, flights[1].numbers);
 }
