@@ -12,7 +12,7 @@ namespace {
 constexpr double kNotSeen_s = 0.2;    // of two bodies in one place, the one that is not seen goes
 constexpr double kBirthLearnt = 0.1;  // of where something stands that does not move
 constexpr double kRestart_s = 1.0;    // time that goes back: a simulation was started anew
-constexpr double kForbidden = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The followed person as a track, so that a sighting of them is assigned to them.
 BodyTrack track_of(const TargetState& target) {
@@ -29,7 +29,7 @@ double cost_of(const BodyTrack& track, const BodySighting& seen, double stamp_s,
                const BodyParams& params) {
   const Match m = match(track, seen, stamp_s);
   const bool within = m.mahalanobis2 <= params.gate_mahalanobis * params.gate_mahalanobis;
-  return within ? m.cost() : kForbidden;
+  return within ? m.cost() : kNever;
 }
 
 // Columns: the tracks, and behind them the followed person.

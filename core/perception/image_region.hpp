@@ -20,4 +20,7 @@ struct ImageRegion {
   }
 };
 
+/// Side of the region that the landmark network is given, over the height of who stands in it.
+inline constexpr double kRegionOverBody = 1.25;
+
 }  // namespace foretrack

@@ -9,10 +9,9 @@ namespace foretrack {
 namespace {
 
 constexpr int kMostSide_px = 16384;
-constexpr double kRegionOverBody = 1.25;  // side of a region over the height of who stands in it
-constexpr double kClearly = 9.0;          // so much more unlike the other one, nobody doubts
-constexpr double kSurprising = 3.5;       // standard deviations in one image: it is said
-constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
+constexpr double kClearly = 9.0;       // so much more unlike the other one, nobody doubts
+constexpr double kSurprising = 3.5;    // standard deviations in one image: it is said
+constexpr std::size_t kMostTried = 2;  // of the people whom the detector saw
 
 // Where the chosen person may be; none: anybody may be chosen.
 std::optional<ExpectedPlace> place_of_chosen(const PersonMemory& chosen, double stamp_s,

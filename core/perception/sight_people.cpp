@@ -13,7 +13,6 @@ constexpr double kHeightSpread = 0.08;  // of people's heights, and so of ranges
 constexpr double kBoxSpread = 0.15;     // of a range by the detector's box
 constexpr double kLateralSigma_m = 0.1;
 constexpr double kRadius_m = 0.25;
-constexpr double kRegionOverBody = 1.25;  // side of a region over the height of who stands in it
 constexpr double kHipShare = 0.53;        // height of the hips over that of the person
 constexpr double kBodyWidthShare = 0.35;  // of a box over its height
 enum HeadJoint : int { kNose = 0, kLeftEar = 7, kRightEar = 8 };

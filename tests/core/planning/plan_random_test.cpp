@@ -149,6 +149,7 @@ TEST(PlanAnything, IsFiniteAndWhatIsNewPassedTheCheck) {
       const TargetState target = random_target(random, vehicle);
       const Prediction prediction = random_prediction(random, target);
       IntentionAssessment intention;
+      intention.stamp_s = now_s;
       intention.margins = {random.uniform(), random.uniform(), random.uniform()};
       const PlanInput input{now_s,
                             vehicle,

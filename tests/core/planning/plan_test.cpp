@@ -218,6 +218,7 @@ TEST_F(Corner, TheTurnScoreWidensTheMarginOnItsSide) {
   const auto bisector_rad = [&](double left_score) {
     PlanningState state;
     IntentionAssessment intention;
+    intention.stamp_s = now_s;
     intention.margins.left = left_score;
     VehicleState vehicle = hovering({walked(now_s, true).x() - 2.0, 0.0, 1.5}, 0.0, now_s);
     PlanInput input =
@@ -238,6 +239,7 @@ TEST_F(Plan, ALikelyDecelerationKeepsMoreDistance) {
   const auto distance_m = [&](double score) {
     PlanningState state;
     IntentionAssessment intention;
+    intention.stamp_s = 1.0;
     intention.margins.distance = score;
     PlanInput input = input_of(open_, hovering({-2.0, 0.0, 1.5}, 0.0, 1.0),
                                target_at({-0.4, 0, 1}, {0, 0, 0}, 1.0));
