@@ -12,7 +12,7 @@
 namespace foretrack {
 
 struct AutopilotParams {
-  double heartbeat_timeout_s = 0.5;  // longer without a heartbeat: failsafe (PX4's 2 Hz)
+  double heartbeat_timeout_s = 1.0;  // longer without a heartbeat: failsafe (COM_OF_LOSS_T)
   double heartbeat_needed_s = 1.0;   // of unbroken heartbeat before offboard is granted
   double land_speed_m_s = 0.7;
   double return_speed_m_s = 2.0;
@@ -20,7 +20,7 @@ struct AutopilotParams {
   double takeoff_speed_m_s = 1.0;
   double unflown_s = 10.0;  // armed on the ground for so long: disarmed
   int system_id = 1;
-  std::vector<Incident> incidents;  // by time
+  std::vector<Incident> incidents = {};  // by time
 };
 
 /// What reaches the autopilot in one step.

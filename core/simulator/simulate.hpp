@@ -17,6 +17,7 @@ struct SimulatorOutput {
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   AutopilotStatus autopilot;
   bool offboard_possible = false;       // on request
+  bool trouble = false;                 ///< what a failsafe acts for
   std::optional<CommandResult> answer;  // to the step's command
   Battery battery;
   std::optional<TargetObservation> observation;  // delivered in this step; none with color images

@@ -21,8 +21,8 @@ std::vector<Command> flight_commands();
 /// The services of the vehicle and the simulator. Only in a build with DDS.
 std::vector<Command> service_commands();
 
-/// What an operator uses: up, demo, monitor, topics, doctor, station, record, replay. Only in a
-/// build with DDS.
+/// What an operator uses: up, demo, order, monitor, topics, doctor, station, record, replay. Only
+/// in a build with DDS.
 std::vector<Command> operator_commands();
 
 std::function<int()> prepare_fly(CLI::App& app);
@@ -32,6 +32,7 @@ std::function<int()> prepare_params(CLI::App& app);
 std::function<int()> prepare_scenarios(CLI::App& app);
 std::function<int()> prepare_up(CLI::App& app);
 std::function<int()> prepare_demo(CLI::App& app);
+std::function<int()> prepare_order(CLI::App& app);
 std::function<int()> prepare_monitor(CLI::App& app);
 std::function<int()> prepare_topics(CLI::App& app);
 std::function<int()> prepare_doctor(CLI::App& app);

@@ -7,6 +7,7 @@ std::vector<Command> operator_commands() {
   return {
       {"demo", "a flight in simulation: start, watch, measure, write down", prepare_demo},
       {"up", "the simulator and every service, each as its own process", prepare_up},
+      {"order", "an order to a vehicle: start, hold, land, stop", prepare_order},
       {"monitor", "one vehicle, live, in the terminal", prepare_monitor},
       {"topics", "every topic: rate, age, writers, readers, mismatches", prepare_topics},
       {"doctor", "why the vehicle does not move", prepare_doctor},

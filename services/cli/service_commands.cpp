@@ -2,13 +2,17 @@
 // The subcommands that speak DDS: the services of the vehicle, one by one or together, and the
 // simulator.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
+#include "services/launch/launcher.hpp"
 #include "services/offline/people/load_person.hpp"
 #include "services/onboard/onboard.hpp"
 #include "services/simulator/simulator_service.hpp"
@@ -53,19 +57,57 @@ Command onboard_command() {
           [](CLI::App& app) { return prepare_onboard_service(app, onboard_services()[kIndex]); }};
 }
 
-std::function<int()> prepare_onboard(CLI::App& app) {
-  struct Options {
-    ServiceOptions service;
-    bool mapping = true;
-  };
-  const auto o = std::make_shared<Options>();
+struct StageOptions {
+  ServiceOptions service;
+  bool mapping = true;
+};
+
+std::shared_ptr<StageOptions> add_stage_options(CLI::App& app) {
+  const auto o = std::make_shared<StageOptions>();
   add_options(app, o->service);
   app.add_flag("!--no-mapping", o->mapping, "a known map comes from elsewhere");
+  return o;
+}
+
+std::function<int()> prepare_stages(CLI::App& app) {
+  const auto o = add_stage_options(app);
   return [o] {
     if (o->service.print_params) return print_params(o->service, "");
     const TrackerParams params = params_of(o->service);
-    return run_until_stopped(
-        o->service, [&](Stop& stop) { run_onboard(o->service, params, o->mapping, stop); });
+    return run_until_stopped(o->service,
+                             [&](Stop& stop) { run_stages(o->service, params, o->mapping, stop); });
+  };
+}
+
+// A process that ends is started again at once, and a word says so.
+int supervise(const std::vector<ProcessSpec>& processes, const std::string& log_level) {
+  Stop stop;
+  const SignalStop signals(stop);
+  set_up_logging(log_level);
+  Launcher launcher({});
+  for (const auto& process : processes) launcher.add(process);
+  while (!stop.requested() && !launcher.any_given_up()) {
+    for (const auto& line : launcher.poll()) spdlog::error("onboard: {}", line);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const bool failed = launcher.any_given_up();
+  launcher.stop();
+  return failed ? 1 : 0;
+}
+
+std::function<int()> prepare_onboard(CLI::App& app) {
+  const auto o = add_stage_options(app);
+  return [o] {
+    if (o->service.print_params) return print_params(o->service, "");
+    params_of(o->service);  // throws what a user must correct
+    const auto process = [&](const char* name, std::vector<std::string> words) {
+      words.insert(words.begin(), name);
+      return ProcessSpec{.name = name, .arguments = std::move(words), .always = true};
+    };
+    auto stages = arguments_of(o->service);
+    if (!o->mapping) stages.push_back("--no-mapping");
+    return supervise({process("safety_gate", arguments_of(o->service)), process("stages", stages)},
+                     o->service.log_level);
   };
 }
 
@@ -109,7 +151,9 @@ std::vector<Command> service_commands() {
           onboard_command<2>(),
           onboard_command<3>(),
           onboard_command<4>(),
-          {"onboard", "all services of the vehicle in one process", prepare_onboard},
+          {"stages", "all services of the vehicle but the gate, in one process", prepare_stages},
+          {"onboard", "the vehicle: the stages and the gate, each started again when it ends",
+           prepare_onboard},
           {"simulator", "vehicle, cameras and person of a scenario", prepare_simulator}};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// foretrack up: every service and the simulator, each as its own process, until Ctrl-C.
+// foretrack up: every service and the simulator, each as its own process, until Ctrl-C. The vehicle
+// is ordered to start.
 #include <chrono>
 #include <cstdio>
 #include <limits>
@@ -7,11 +8,14 @@
 #include <thread>
 
 #include "services/cli/commands.hpp"
+#include "services/common/node.hpp"
+#include "services/common/options.hpp"
 #include "services/common/stop.hpp"
 #include "services/common/time_now.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
 #include "services/launch/flight_processes.hpp"
+#include "services/operator/order_sender.hpp"
 
 namespace foretrack {
 namespace {
@@ -22,20 +26,33 @@ struct UpArguments {
   double for_s = std::numeric_limits<double>::infinity();
 };
 
-int run_up(const UpArguments& arguments) {
+NodeOptions node_options(const FlightSpec& spec) {
+  NodeOptions options;
+  options.service = "up";
+  options.names.vehicle = spec.vehicle;
+  options.domain_id = spec.domain;
+  return options;
+}
+
+int run_up(UpArguments arguments) {
   if (!arguments.spec.params_file.empty()) load_params(arguments.spec.params_file);
   load_scenario(arguments.spec.scenario);  // both throw what a user must correct
   Stop stop;
   SignalStop signals(stop);
+  set_up_logging("warning");
+  arguments.spec.state_folder = arguments.out + "/state";
   Launcher launcher(std::filesystem::path(arguments.out) / "logs");
   for (auto& process : onboard_processes(arguments.spec)) launcher.add(std::move(process));
   launcher.add(simulator_process(arguments.spec));
   std::printf("vehicle %s, domain %d, logs in %s/logs; Ctrl-C ends it\n",
               arguments.spec.vehicle.c_str(), arguments.spec.domain, arguments.out.c_str());
+  Node node(node_options(arguments.spec));
+  OrderSender start(node, MissionOrder::kStart, "up");  // what is simulated starts by itself
   const double begin_s = steady_s();
   while (!stop.requested() && steady_s() - begin_s < arguments.for_s && !launcher.any_given_up()) {
     for (const auto& line : launcher.poll()) std::printf("%s\n", line.c_str());
     std::fflush(stdout);
+    start.update();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   const bool failed = launcher.any_given_up();

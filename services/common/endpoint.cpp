@@ -120,9 +120,28 @@ bool ReaderCore::take(void* sample) {
     const auto result = dds->reader->take_next_sample(sample, &info);
     const std::uint64_t malformed = malformed_samples() - malformed_before;
     for (std::uint64_t i = 0; i < malformed; ++i) stats.reject("malformed CDR");
-    if (result == ReturnCode_t::RETCODE_OK && info.valid_data) return true;
+    if (result == ReturnCode_t::RETCODE_OK && info.valid_data) {
+      const eprosima::fastrtps::rtps::GUID_t& guid = info.sample_identity.writer_guid();
+      WriterId from{};
+      std::copy_n(guid.guidPrefix.value, 12, from.begin());
+      std::copy_n(guid.entityId.value, 4, from.begin() + 12);
+      if (is_of_the_pinned_writer(from)) return true;
+      stats.reject(kSecondWriter);
+      continue;
+    }
     if (result != ReturnCode_t::RETCODE_OK && malformed == 0) return false;
   }
+}
+
+bool ReaderCore::is_of_the_pinned_writer(const WriterId& from) {
+  if (pin_silence_s_ < 0.0) return true;
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> silence = now - pinned_heard_;
+  const bool is_pinned = from == pinned_;
+  if (!is_pinned && pinned_ != WriterId{} && silence.count() < pin_silence_s_) return false;
+  pinned_ = from;
+  pinned_heard_ = now;
+  return true;
 }
 
 void WriterCore::Dds::on_publication_matched(dds::DataWriter*,

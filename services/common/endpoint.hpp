@@ -2,6 +2,7 @@
 // What a writer or reader knows of itself, and the untyped half of both.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -57,9 +58,24 @@ class ReaderCore {
   ~ReaderCore();
   /// False: nothing is left. Malformed samples are counted and skipped.
   bool take(void* sample);
+  /// From now on only one writer is heard, the first. Samples of another one are refused, as those
+  /// of a second writer, until the first has been silent for so long (or is gone): a process that
+  /// was started again takes its place.
+  void pin_writer(double silence_s) { pin_silence_s_ = silence_s; }
 
   EndpointStats stats;
   std::unique_ptr<Dds> dds;
+
+ private:
+  using WriterId = std::array<std::uint8_t, 16>;
+  bool is_of_the_pinned_writer(const WriterId& from);
+
+  double pin_silence_s_ = -1.0;  // < 0: any writer is heard
+  WriterId pinned_{};
+  EndpointStats::Time pinned_heard_{};
 };
+
+/// The reason under which the samples of a second writer are counted.
+inline constexpr std::string_view kSecondWriter = "a second writer";
 
 }  // namespace foretrack

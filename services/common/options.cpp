@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <fastdds/dds/log/Log.hpp>
 
 namespace foretrack {
@@ -13,6 +14,17 @@ namespace {
 namespace dds = eprosima::fastdds::dds;
 
 constexpr int kHighestDomain = 232;  // the ports of higher ones do not exist
+
+std::string default_state_folder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value ? value : "");
+  };
+  if (const auto given = variable("STATE_DIRECTORY"); !given.empty()) return given;
+  if (const auto state = variable("XDG_STATE_HOME"); !state.empty()) return state + "/foretrack";
+  if (const auto home = variable("HOME"); !home.empty()) return home + "/.local/state/foretrack";
+  return "/var/lib/foretrack";
+}
 
 struct LogOfDds : dds::LogConsumer {
   void Consume(const dds::Log::Entry& entry) override {
@@ -47,9 +59,41 @@ void add_options(CLI::App& app, ServiceOptions& options) {
                "Appear in the node list of ROS 2 Iron and later, not of Humble");
   app.add_flag("--px4-odometry", options.px4_odometry,
                "safety_gate republishes PX4's estimate as the odometry of all, and as tf");
+  app.add_flag(
+      "--dry-run", options.dry_run,
+      "safety_gate decides, shows and records, and sends nothing to the flight controller");
+  options.state_folder = default_state_folder();
+  app.add_option("--state-dir", options.state_folder,
+                 "Folder in which safety_gate remembers its mission across a restart")
+      ->capture_default_str();
   app.add_option("--log-level", options.log_level, "debug, info, warning, error or off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
+}
+
+std::vector<std::string> arguments_of(const ServiceOptions& o) {
+  std::vector<std::string> words = {"--vehicle",
+                                    o.names.vehicle,
+                                    "--domain",
+                                    std::to_string(o.domain_id),
+                                    "--clock-topic",
+                                    o.names.clock_topic,
+                                    "--state-dir",
+                                    o.state_folder,
+                                    "--log-level",
+                                    o.log_level,
+                                    "--px4-status-version",
+                                    std::to_string(o.names.px4_vehicle_status_version)};
+  const auto add = [&words](bool wanted, std::vector<std::string> more) {
+    if (wanted) words.insert(words.end(), more.begin(), more.end());
+  };
+  add(!o.params_file.empty(), {"--params", o.params_file});
+  add(!o.names.px4_namespace.empty(), {"--px4-namespace", o.names.px4_namespace});
+  add(o.use_sim_time, {"--use-sim-time"});
+  add(o.ros_iron_or_later, {"--ros-iron"});
+  add(o.px4_odometry, {"--px4-odometry"});
+  add(o.dry_run, {"--dry-run"});
+  return words;
 }
 
 void set_up_logging(const std::string& level) {

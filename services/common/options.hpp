@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "services/common/names.hpp"
 
@@ -20,13 +21,19 @@ struct ServiceOptions {
   bool print_params = false;  // print the parameters as a file and leave
   bool ros_iron_or_later = false;
   bool px4_odometry = false;  // PX4's own estimate is the vehicle's odometry
+  bool dry_run = false;       // nothing is sent to the flight controller
+  std::string state_folder;   // where the gate remembers its mission; empty: nowhere
   std::string log_level = "info";
 };
 
 /// --vehicle --domain --params --print-params --use-sim-time --clock-topic --px4-namespace
-/// --px4-status-version --ros-iron --px4-odometry
-/// --log-level. The domain's default is $ROS_DOMAIN_ID.
+/// --px4-status-version --ros-iron --px4-odometry --dry-run --state-dir
+/// --log-level. The domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as
+/// systemd sets it), $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
+
+/// The words that make the same options of another process.
+std::vector<std::string> arguments_of(const ServiceOptions& options);
 
 /// Log lines to standard error, those of DDS among them. Call it once, after parsing.
 void set_up_logging(const std::string& level);

@@ -91,6 +91,10 @@ class Reader {
       node_->report(core_->stats.topic + ": " + std::string(fault.text));
   }
   int writers() const { return core_->stats.peers; }
+  /// From now on samples stamped ahead of our clock are taken, too: the service judges them.
+  void take_future_stamps() { takes_future_stamps_ = true; }
+  /// See ReaderCore.
+  void pin_writer(double silence_s) { core_->pin_writer(silence_s); }
   const EndpointStats& stats() const { return core_->stats; }
   ReaderCore& core() { return *core_; }
 
@@ -98,7 +102,7 @@ class Reader {
   bool is_good() {
     const char* why = nullptr;
     if constexpr (requires { taken_.header().stamp(); })
-      why = node_->clock().fault_of(taken_.header().stamp());
+      if (!takes_future_stamps_) why = node_->clock().fault_of(taken_.header().stamp());
     if (!why && also_) why = also_(taken_);
     if (why) core_->stats.reject(why);
     return !why;
@@ -107,6 +111,7 @@ class Reader {
   Node* node_;
   ReaderCore* core_;
   Validation<Type> also_;
+  bool takes_future_stamps_ = false;
   Type newest_;
   Type taken_;
 };

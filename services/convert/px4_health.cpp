@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/convert/px4_health.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,7 +47,33 @@ void to_idl(const BatteryState& in, double stamp_s, msg::BatteryStatus& out) {
   out.remaining_capacity_wh(static_cast<float>(full_wh * in.remaining));
 }
 
-void to_flags(double stamp_s, bool offboard_possible, BatteryWarning warning,
+Converted<BatteryState> from_idl(const msg::BatteryStatus& in) {
+  Checks checks;
+  if (!in.connected()) checks.fail("connected", "false", "true");
+  checks.in_range("remaining", in.remaining(), 0.0, 1.0);
+  BatteryState out;
+  out.cells = in.cell_count();
+  out.capacity_ah = 1e-3 * in.capacity();
+  out.used_ah = 1e-3 * std::max(0.0f, in.discharged_mah());
+  out.remaining = in.remaining();
+  out.voltage_v = in.voltage_v();
+  out.current_a = in.current_a();
+  out.resistance_ohm = in.internal_resistance_estimate();
+  if (std::isfinite(in.time_remaining_s())) out.time_remaining_s = in.time_remaining_s();
+  out.warning = static_cast<BatteryWarning>(
+      std::min(in.warning(), msg::BatteryStatus_Constants::WARNING_EMERGENCY));
+  return checks.result(out);
+}
+
+bool is_of_our_making(const msg::FailsafeFlags& f) {
+  const bool guards = f.geofence_breached() || f.battery_unhealthy() || f.fd_critical_failure() ||
+                      f.fd_motor_failure() || f.fd_esc_arming_failure() ||
+                      f.local_position_invalid() ||
+                      f.battery_warning() >= msg::BatteryStatus_Constants::WARNING_CRITICAL;
+  return f.offboard_control_signal_lost() && !guards;
+}
+
+void to_flags(double stamp_s, bool offboard_possible, BatteryWarning warning, bool trouble,
               msg::FailsafeFlags& out) {
   out = {};
   out.timestamp(microseconds(stamp_s));
@@ -57,6 +84,7 @@ void to_flags(double stamp_s, bool offboard_possible, BatteryWarning warning,
   out.mode_req_offboard_signal(kOffboard);
   out.mode_req_home_position(1u << msg::VehicleStatus_Constants::NAVIGATION_STATE_AUTO_RTL);
   out.offboard_control_signal_lost(!offboard_possible);
+  out.geofence_breached(trouble);
   out.auto_mission_missing(true);
   out.global_position_invalid(true);  // it flies by its local one
   out.battery_warning(static_cast<std::uint8_t>(warning));

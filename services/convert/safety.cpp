@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "services/convert/geometry.hpp"
@@ -75,6 +76,61 @@ static_assert(s::RESULT_REFUSED_UNWRITTEN == int(MissionResult::kRefusedUnwritte
 static_assert(s::RESULT_REFUSED_BOUNDS == int(MissionResult::kRefusedBounds));
 static_assert(s::RESULT_PENDING == int(MissionResult::kPending));
 static_assert(s::RESULT_ACCEPTED_UNWRITTEN == int(MissionResult::kAcceptedUnwritten));
+static_assert(s::ANSWER_CANCELLED == int(CommandResult::kCancelled));
+static_assert(s::END_PILOT == int(MissionEnd::kPilot));
+static_assert(s::END_STICKS == int(MissionEnd::kSticks));
+static_assert(s::END_OTHER_MODE == int(MissionEnd::kOtherMode));
+static_assert(s::END_DISARMED == int(MissionEnd::kDisarmed));
+static_assert(s::END_FAILSAFE == int(MissionEnd::kFailsafe));
+static_assert(s::END_TERMINATED == int(MissionEnd::kTerminated));
+static_assert(s::END_REFUSED == int(MissionEnd::kRefused));
+static_assert(s::END_NO_ANSWER == int(MissionEnd::kNoAnswer));
+static_assert(s::END_NOT_DONE == int(MissionEnd::kNotDone));
+static_assert(s::END_NOT_READY == int(MissionEnd::kNotReady));
+static_assert(s::END_DONE == int(MissionEnd::kDone));
+static_assert(s::END_UNWRITTEN == int(MissionEnd::kUnwritten));
+static_assert(s::END_FENCE == int(MissionEnd::kFence));
+static_assert(s::END_BATTERY == int(MissionEnd::kBattery));
+static_assert(s::END_LINK == int(MissionEnd::kLink));
+
+void set_bounds(const FlightBounds& in, msg::MissionCommand& out) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  out.fence_m().clear();
+  for (int i = 0; i < in.corner_count; ++i)
+    for (const double value : {in.corners_enu_m[i].x_m, in.corners_enu_m[i].y_m})
+      out.fence_m().push_back(value);
+  out.altitude_min_m(std::isfinite(in.altitude_min_m) ? in.altitude_min_m : kNaN);
+  out.altitude_max_m(std::isfinite(in.altitude_max_m) ? in.altitude_max_m : kNaN);
+}
+
+FlightBounds read_bounds(Checks& checks, const msg::MissionCommand& in) {
+  FlightBounds out;
+  const auto& fence = in.fence_m();
+  if (fence.size() % 2 != 0 || fence.size() > 2 * FlightBounds::kMaxCorners)
+    checks.fail("fence_m", std::to_string(fence.size()) + " numbers", "x, y of 32 corners at most");
+  for (const double value : fence) checks.within("fence_m", value, limits::kPosition_m);
+  if (!checks.ok()) return out;
+  out.corner_count = static_cast<int>(fence.size() / 2);
+  for (std::size_t i = 0; i < fence.size() / 2; ++i)
+    out.corners_enu_m[i] = {fence[2 * i], fence[2 * i + 1]};
+  if (!std::isnan(in.altitude_min_m())) out.altitude_min_m = in.altitude_min_m();
+  if (!std::isnan(in.altitude_max_m())) out.altitude_max_m = in.altitude_max_m();
+  return out;
+}
+
+// "brake: no fresh plan (idle: the pilot took over); arm: denied"
+std::string text_of(const GateReport& in) {
+  const GateResult& r = in.result;
+  std::string text = fmt::format("{}{}: {} ({}", in.dry_run ? "dry run: " : "", to_string(r.mode),
+                                 to_string(r.reason), to_string(r.phase));
+  if (r.end != MissionEnd::kNone) text += fmt::format(": {}", to_string(r.end));
+  text += ')';
+  if (r.asked != AutopilotRequest::kNone && r.answer != CommandResult::kAccepted)
+    text += fmt::format("; {}: {}", to_string(r.asked), to_string(r.answer));
+  if (!in.hindrance.empty()) text += "; the autopilot would refuse: " + in.hindrance;
+  if (!in.alarm.empty()) text += "; " + in.alarm;
+  return text;
+}
 
 void set_setpoint(const GateReport& in, msg::SafetyState& out) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -122,23 +178,26 @@ void to_idl(const MissionCommand& in, msg::MissionCommand& out) {
   out.command(static_cast<std::uint8_t>(in.order));
   out.operator_id(std::string(in.operator_name.view()));
   out.lease_id(std::string(in.lease_id.view()));
+  out.proof({});
+  set_bounds(in.bounds, out);
 }
 
 Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   Checks checks;
   checks.stamp("header.stamp", in.header().stamp());
-  checks.enumerator("command", in.command(), o::COMMAND_TAKE_OFF);
+  checks.enumerator("command", in.command(), o::COMMAND_SET_BOUNDS);
   if (in.id() == 0) checks.fail("id", "0", "1 or more");
-  return checks.result(MissionCommand{.id = in.id(),
-                                      .stamp_s = seconds(in.header().stamp()),
-                                      .order = static_cast<MissionOrder>(in.command()),
-                                      .operator_name = in.operator_id().c_str(),
-                                      .lease_id = in.lease_id().c_str(),
-                                      // Only its holder knows the lease's name.
-                                      .proved = !in.lease_id().empty()});
+  MissionCommand out;
+  out.id = in.id();
+  out.stamp_s = seconds(in.header().stamp());
+  out.order = static_cast<MissionOrder>(in.command());
+  out.operator_name = in.operator_id().c_str();
+  out.lease_id = in.lease_id().c_str();
+  if (out.order == MissionOrder::kSetBounds) out.bounds = read_bounds(checks, in);
+  return checks.result(out);
 }
 
-constexpr std::size_t kTextBytes = 256;  // as the IDL bounds it
+constexpr std::size_t kTextBytes = 256, kAlarmBytes = 128;  // as the IDL bounds them
 
 void to_idl(const GateReport& in, msg::SafetyState& out) {
   const GateResult& r = in.result;
@@ -148,10 +207,7 @@ void to_idl(const GateReport& in, msg::SafetyState& out) {
   out.reason(static_cast<std::uint8_t>(r.reason));
   out.phase(static_cast<std::uint8_t>(r.phase));
   out.request(static_cast<std::uint8_t>(r.request));
-  const auto text =
-      fmt::format("{}: {} ({}){}{}", to_string(r.mode), to_string(r.reason), to_string(r.phase),
-                  in.hindrance.empty() ? "" : "; the autopilot would refuse: ", in.hindrance);
-  out.text(text.substr(0, kTextBytes));
+  out.text(text_of(in).substr(0, kTextBytes));
   out.trajectory_id(r.plan_id);
   out.plan_age_s(r.plan_age_s);
   out.deviation_m(r.deviation_m);
@@ -166,6 +222,11 @@ void to_idl(const GateReport& in, msg::SafetyState& out) {
   out.operator_id(in.operator_name);
   out.lease_operator(in.lease_operator);
   out.lease_remaining_s(in.lease_remaining_s);
+  out.mission_end(static_cast<std::uint8_t>(r.end));
+  out.asked(static_cast<std::uint8_t>(r.asked));
+  out.answer(static_cast<std::uint8_t>(r.answer));
+  out.dry_run(in.dry_run);
+  out.alarm(in.alarm.substr(0, kAlarmBytes));
 }
 
 Converted<GateReport> from_idl(const msg::SafetyState& in) {
@@ -179,6 +240,9 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   checks.enumerator("request", in.request(), s::REQUEST_HOLD);
   checks.enumerator("command_result", in.command_result(), s::RESULT_ACCEPTED_UNWRITTEN);
   checks.enumerator("command", in.command(), o::COMMAND_SET_BOUNDS);
+  checks.enumerator("mission_end", in.mission_end(), s::END_LINK);
+  checks.enumerator("asked", in.asked(), s::REQUEST_HOLD);
+  checks.enumerator("answer", in.answer(), s::ANSWER_CANCELLED);
   checks.within("lease_remaining_s", in.lease_remaining_s(), 1e10);
   checks.within("plan_age_s", in.plan_age_s(), 1e10);
   checks.within("deviation_m", in.deviation_m(), limits::kPosition_m);
@@ -200,6 +264,11 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   r.request = static_cast<AutopilotRequest>(in.request());
   r.command_result = static_cast<MissionResult>(in.command_result());
   r.command_id = in.command_id();
+  r.end = static_cast<MissionEnd>(in.mission_end());
+  r.asked = static_cast<AutopilotRequest>(in.asked());
+  r.answer = static_cast<CommandResult>(in.answer());
+  out.dry_run = in.dry_run();
+  out.alarm = in.alarm().c_str();
   r.heartbeat = in.heartbeat();
   r.plan_age_s = in.plan_age_s();
   r.deviation_m = in.deviation_m();

@@ -10,7 +10,8 @@
 namespace foretrack {
 
 void to_idl(const MissionCommand& command, foretrack_msgs::msg::MissionCommand& out);
-/// Ids start at 1: 0 is what an unset message holds.
+/// Ids start at 1: 0 is what an unset message holds. The lease's proof is not judged here: see
+/// order_proof.hpp.
 Converted<MissionCommand> from_idl(const foretrack_msgs::msg::MissionCommand& in);
 
 /// One tick of the gate, as the world may know it.
@@ -25,6 +26,8 @@ struct GateReport {
   std::string lease_operator = {};  // empty: nobody holds the lease
   double lease_remaining_s = 0.0;
   std::string hindrance = {};  // why the autopilot would refuse offboard mode; part of the text
+  std::string alarm = {};      // a second writer of an input; empty: none
+  bool dry_run = false;        // nothing is sent to the autopilot
 };
 void to_idl(const GateReport& report, foretrack_msgs::msg::SafetyState& out);
 Converted<GateReport> from_idl(const foretrack_msgs::msg::SafetyState& in);

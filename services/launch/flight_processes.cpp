@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 namespace foretrack {
@@ -31,6 +32,10 @@ std::vector<ProcessSpec> onboard_processes(const FlightSpec& spec) {
       for (const auto& word : {std::string("--params"), spec.params_file})
         processes.back().arguments.push_back(word);
   }
+  std::error_code none_there;
+  std::filesystem::remove_all(spec.state_folder, none_there);  // its clock begins anew
+  auto& gate = processes.back().arguments;
+  gate.insert(gate.end(), {"--state-dir", spec.state_folder});
   return processes;
 }
 

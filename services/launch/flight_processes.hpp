@@ -23,7 +23,8 @@ struct FlightSpec {
   bool camera = false;                // rendered images instead of landmarks
   std::string vehicle = "uav1";
   int domain = 0;
-  std::string params_file;  // of the stages; empty: defaults
+  std::string params_file;   // of the stages; empty: defaults
+  std::string state_folder;  // of the gate; what a former flight left there is removed
 };
 
 /// The services on the vehicle, in the order of the pipeline. Their names are their subcommands.

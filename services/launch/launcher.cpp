@@ -39,8 +39,10 @@ constexpr auto kLookPeriod = 500ms;
   for (const int s : {SIGINT, SIGTERM, SIGPIPE}) signal(s, SIG_DFL);
   const int null = open("/dev/null", O_RDONLY);
   if (null >= 0) dup2(null, STDIN_FILENO);
-  dup2(log, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
+  if (log >= 0) {
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
+  }
   execv(program, arguments);
   _exit(127);
 }
@@ -51,13 +53,24 @@ std::string describe(int wait_status) {
   return fmt::format("ended with code {}", WEXITSTATUS(wait_status));
 }
 
+// -1: there is none.
+int open_log(const std::filesystem::path& path) {
+  if (path.empty()) return -1;
+  const int log = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (log < 0)
+    throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), strerror(errno)));
+  return log;
+}
+
 // What a user must correct: 2 by our own commands, 100 and above by the parser of arguments.
 bool is_misuse(int exit_code) {
   return exit_code == 2 || (exit_code >= 100 && exit_code < 126);
 }
 
+// The first time at once: a vehicle may be in the air.
 std::chrono::milliseconds back_off(int crashes_in_a_row) {
-  const int doublings = std::clamp(crashes_in_a_row - 1, 0, 10);
+  if (crashes_in_a_row <= 1) return 0ms;
+  const int doublings = std::min(crashes_in_a_row - 1, 10);
   return std::min<std::chrono::milliseconds>(kFirstBackOff * (1 << doublings), kLongestBackOff);
 }
 
@@ -65,6 +78,7 @@ std::chrono::milliseconds back_off(int crashes_in_a_row) {
 
 Launcher::Launcher(std::filesystem::path log_folder, std::filesystem::path program)
     : log_folder_(std::move(log_folder)), program_(std::move(program)) {
+  if (log_folder_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(log_folder_, error);
   if (error)
@@ -77,6 +91,7 @@ void Launcher::add(ProcessSpec spec) {
 }
 
 std::filesystem::path Launcher::log_of(const std::string& name) const {
+  if (log_folder_.empty()) return {};
   return log_folder_ / (name + ".log");
 }
 
@@ -102,10 +117,7 @@ bool Launcher::any_given_up() const {
 }
 
 void Launcher::start(Process& process) {
-  const auto path = log_of(process.spec.name);
-  const int log = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (log < 0)
-    throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), strerror(errno)));
+  const int log = open_log(log_of(process.spec.name));
   std::vector<std::string> words = process.spec.arguments;
   words.insert(words.begin(), "foretrack");
   std::vector<char*> argv;
@@ -114,7 +126,7 @@ void Launcher::start(Process& process) {
   const pid_t parent = getpid();
   const pid_t pid = fork();
   if (pid == 0) become(program_.c_str(), argv.data(), log, parent);
-  close(log);
+  if (log >= 0) close(log);
   if (pid < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
   setpgid(pid, pid);
   process.pid = pid;
@@ -129,7 +141,7 @@ std::string Launcher::reap(Process& process, int wait_status) {
   ++process.crashes_in_a_row;
   const std::string what = process.spec.name + " " + describe(wait_status);
   const bool exited = WIFEXITED(wait_status);
-  if (exited && WEXITSTATUS(wait_status) == 0) {
+  if (exited && WEXITSTATUS(wait_status) == 0 && !process.spec.always) {
     process.given_up = true;
     return what;
   }
@@ -143,7 +155,7 @@ std::string Launcher::reap(Process& process, int wait_status) {
   }
   const auto wait = back_off(process.crashes_in_a_row);
   process.due = now + wait;
-  return fmt::format("{}; starts again in {} ms", what, wait.count());
+  return wait == 0ms ? what : fmt::format("{}; starts again in {} ms", what, wait.count());
 }
 
 std::vector<std::string> Launcher::poll() {

@@ -16,6 +16,7 @@ struct ProcessSpec {
   std::string name;                    // also that of its log file
   std::vector<std::string> arguments;  // behind the program's name: subcommand and options
   bool restart = true;                 // after a crash
+  bool always = false;                 // also when it ends without one
 };
 
 /// A process under the launcher's care.
@@ -34,7 +35,8 @@ struct Process {
 /// them (SIGTERM) when it goes, however it goes.
 class Launcher {
  public:
-  /// Logs go to <log_folder>/<name>.log, appended. Throws std::runtime_error if that is impossible.
+  /// Logs go to <log_folder>/<name>.log, appended; without a folder, to where this process writes.
+  /// Throws std::runtime_error if that is impossible.
   explicit Launcher(std::filesystem::path log_folder,
                     std::filesystem::path program = "/proc/self/exe");
   ~Launcher() { stop(); }

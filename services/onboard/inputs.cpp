@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/inputs.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace foretrack {
@@ -14,8 +15,11 @@ VehicleInput::VehicleInput(Service& service, std::function<void()> changed)
     : reader_(service.node()) {
   service.loop().on_each(
       reader_, [](const nav_msgs::msg::Odometry& message) { return from_idl(message); },
-      [this, changed = std::move(changed)](const VehicleState& state) {
+      [this, &service, changed = std::move(changed)](const VehicleState& state) {
         add(state);
+        const Clock& clock = service.clock();
+        if (newest()->stamp_s == state.stamp_s)
+          measured_s_ = clock.steady_s() - std::max(clock.now_s() - state.stamp_s, 0.0);
         if (changed) changed();
       });
 }

@@ -37,13 +37,14 @@ std::span<const OnboardService> onboard_services() {
   return kServices;
 }
 
-void run_onboard(const ServiceOptions& options, const TrackerParams& params, bool with_mapping,
-                 Stop& stop) {
+void run_stages(const ServiceOptions& options, const TrackerParams& params, bool with_mapping,
+                Stop& stop) {
   std::mutex mutex;
   std::exception_ptr failure;
   std::vector<std::jthread> threads;
   for (const OnboardService& service : kServices) {
-    if (!with_mapping && service.name == std::string_view("mapping")) continue;
+    const std::string_view name = service.name;
+    if (name == "safety_gate" || (!with_mapping && name == "mapping")) continue;
     threads.emplace_back([&, run = service.run] {
       try {
         run(options, params, stop);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All services of the vehicle in one process, a thread each.
+// The services of the vehicle. The gate has a process of its own; the stages before it may share
+// one, a thread each.
 #pragma once
 
 #include <span>
@@ -21,9 +22,9 @@ struct OnboardService {
 /// In the order of the pipeline.
 std::span<const OnboardService> onboard_services();
 
-/// Until the stop is requested. If one service fails to start, all stop and its error is thrown.
-/// Without mapping, a known map must come from elsewhere.
-void run_onboard(const ServiceOptions& options, const TrackerParams& params, bool with_mapping,
-                 Stop& stop);
+/// All but the gate, in this process, until the stop is requested. If one service fails to start,
+/// all stop and its error is thrown. Without mapping, a known map must come from elsewhere.
+void run_stages(const ServiceOptions& options, const TrackerParams& params, bool with_mapping,
+                Stop& stop);
 
 }  // namespace foretrack

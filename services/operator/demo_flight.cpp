@@ -15,6 +15,7 @@
 #include "services/offline/flight/fly.hpp"
 #include "services/offline/flight/write_flight.hpp"
 #include "services/operator/diagnose.hpp"
+#include "services/operator/order_sender.hpp"
 #include "services/operator/summary.hpp"
 #include "services/operator/view.hpp"
 
@@ -44,8 +45,10 @@ class DemoFlight {
         node_(node_options(options.spec)),
         loop_(node_, stop),
         listener_(node_, true),
+        start_(node_, MissionOrder::kStart, "demo"),
         log_(options.scenario, [this] { return node_.clock().steady_s(); }) {
     log_.attach(listener_.hooks);
+    options_.spec.state_folder = (options_.folder / "state").string();
     for (auto& process : onboard_processes(options_.spec)) launcher_.add(std::move(process));
     if (options_.station) launcher_.add(*options_.station);
   }
@@ -84,6 +87,7 @@ class DemoFlight {
   mutable Node node_;
   Loop loop_;
   Listener listener_;
+  OrderSender start_;  // the vehicle begins by itself
   FlightLog log_;
   ResourceMeter resources_;
   std::unique_ptr<Screen> screen_;
@@ -115,6 +119,7 @@ void DemoFlight::supervise() {
     launcher_.add(simulator_process(options_.spec));
     simulator_started_s_ = elapsed_s();
   }
+  start_.update();
   if (is_over()) stop_.request();
 }
 

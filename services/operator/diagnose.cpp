@@ -149,6 +149,9 @@ Finding plan_content(const FlightSnapshot& p) {
 
 Finding gate_content(const FlightSnapshot& p) {
   namespace c = foretrack_msgs::msg::SafetyState_Constants;
+  if (p.safety->phase() == c::PHASE_IDLE)
+    return fault("gate", fmt::format("The mission is idle. {}", p.safety->text().c_str()),
+                 "It starts on an order alone: `foretrack order start`, or the station's page.");
   const auto mode = p.safety->mode();
   if (mode == c::MODE_TRACK) return fine("gate", "the trajectory is flown");
   if (mode == c::MODE_HOVER && p.safety->reason() == c::REASON_PLAN_HOLDS)

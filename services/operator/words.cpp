@@ -60,7 +60,7 @@ std::string_view explain_plan(std::uint8_t reason) {
 }
 
 std::string_view explain_gate(std::uint8_t reason) {
-  static constexpr std::array<std::string_view, 10> kSentences = {
+  static constexpr std::array<std::string_view, 20> kSentences = {
       "all is well",
       "no plan has come yet",
       "plans have ceased to come",
@@ -70,7 +70,17 @@ std::string_view explain_gate(std::uint8_t reason) {
       "the vehicle's state has ceased to come",
       "nothing is heard from the autopilot",
       "the autopilot is not in offboard mode",
-      "an operator's order"};
+      "an operator's order",
+      "the odometry jumps",
+      "the odometry is frozen",
+      "the odometry disagrees with its own velocity",
+      "an obstacle is in the way",
+      "somebody is in the way",
+      "the vehicle is outside of its fence",
+      "the vehicle is outside of its altitudes",
+      "the battery is at its reserve",
+      "nothing is heard from the operator",
+      "the images are frozen, dark or covered"};
   return word(kSentences, reason);
 }
 

@@ -83,9 +83,12 @@ void WorldWriter::publish_autopilot(const SimulatorOutput& out) {
     to_idl(out.battery.state(), out.now_s, px4_battery_.sample());
     px4_battery_.write();
   }
-  if (out.offboard_possible != offboard_possible_ || every(kFlagsSteps)) {
+  const bool news = out.offboard_possible != offboard_possible_ || out.trouble != trouble_;
+  if (news || every(kFlagsSteps)) {
     offboard_possible_ = out.offboard_possible;
-    to_flags(out.now_s, out.offboard_possible, out.battery.state().warning, px4_flags_.sample());
+    trouble_ = out.trouble;
+    to_flags(out.now_s, out.offboard_possible, out.battery.state().warning, out.trouble,
+             px4_flags_.sample());
     px4_flags_.write();
   }
   if (out.autopilot.sticks_moved) {

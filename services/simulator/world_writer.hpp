@@ -38,7 +38,7 @@ class WorldWriter {
 
   long steps_ = 0;
   AutopilotStatus autopilot_;
-  bool offboard_possible_ = false;
+  bool offboard_possible_ = false, trouble_ = false;
 
   Writer<topics::Odometry> odometry_;
   Writer<topics::Px4VehicleOdometry> px4_odometry_;

@@ -109,7 +109,8 @@ TEST_F(Rejoin, AStationThatVehiclesForgotHearsAndOrdersAgain) {
   Program world(
       on_domain({"simulator", "--scenario", "t_intersection", "--map", "known", "--endless"}),
       folder_.path / "simulator");
-  Program onboard(on_domain({"onboard", "--no-mapping", "--use-sim-time"}),
+  Program onboard(on_domain({"onboard", "--no-mapping", "--use-sim-time", "--state-dir",
+                             (folder_.path / "state").string()}),
                   folder_.path / "onboard");
   Station station(on_domain({"station", "--enable-control", "--recordings",
                              (folder_.path / "recordings").string()}),
@@ -122,6 +123,7 @@ TEST_F(Rejoin, AStationThatVehiclesForgotHearsAndOrdersAgain) {
   Program growing(growing_vehicle({}), folder_.path / "growing", "/usr/bin/env");
   ASSERT_TRUE(eventually([&] { return has_grown(station); }, 30.0));
   ASSERT_TRUE(eventually([&] { return ask("/api/lease", "action", "take"); }, 20.0));
+  ASSERT_TRUE(ask("/api/command", "command", "start"));
   ASSERT_TRUE(ask("/api/record", "action", "start"));
   const auto before = live(station);
   ASSERT_GT(before.size(), kTopics + 8u);

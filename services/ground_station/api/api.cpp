@@ -36,8 +36,9 @@ bool is_name(const std::string& text) {
 }
 
 std::optional<MissionOrder> order_of(const std::string& word) {
-  for (const auto order : {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume,
-                           MissionOrder::kReturn, MissionOrder::kLand, MissionOrder::kStop})
+  for (const auto order :
+       {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume, MissionOrder::kReturn,
+        MissionOrder::kLand, MissionOrder::kStop, MissionOrder::kTakeOff})
     if (to_string(order) == word) return order;
   return std::nullopt;
 }
@@ -169,7 +170,8 @@ void Api::lease(const Order& order, double now_s) {
 void Api::command(const Order& order, double now_s) {
   const auto what = order_of(order.action);
   if (!what)
-    return order.report({false, "'command' start, hold, resume, return, land or stop expected"});
+    return order.report(
+        {false, "'command' start, hold, resume, return, land, stop or take_off expected"});
   commander_->command(order.vehicle, *what, order.name, now_s, order.report);
 }
 

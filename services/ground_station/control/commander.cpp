@@ -10,7 +10,6 @@
 #include "services/common/clock.hpp"
 #include "services/common/topics.hpp"
 #include "services/ground_station/bus/channel.hpp"
-#include "services/ground_station/control/tokens.hpp"
 
 namespace foretrack::station {
 namespace {
@@ -60,7 +59,7 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   auto& vehicle = vehicles_[name];
   if (may_order_ && !vehicle.delivery) {
     const auto topic = wire_name(name);
-    vehicle.delivery.emplace(make_writer(*node_, topic));
+    vehicle.delivery.emplace(name, make_writer(*node_, topic));
     on_writer_(topic);
   }
   auto& mission = vehicle.mission;
@@ -103,11 +102,11 @@ void Commander::take(const std::string& name, const std::string& who, double now
     lease->until_s = now_s + kLease_s;
     return report({true, ""});
   }
-  const auto id = random_hex(16);
+  const auto key = std::make_shared<const LeaseKey>();
   vehicle->delivery->order(
-      MissionOrder::kLease, who, id, now_s,
-      [vehicle, who, id, now_s, report = std::move(report)](const Outcome& outcome) {
-        if (outcome.ok) vehicle->lease = Lease{who, id, now_s + kLease_s, now_s};
+      MissionOrder::kLease, who, key, now_s,
+      [vehicle, who, key, now_s, report = std::move(report)](const Outcome& outcome) {
+        if (outcome.ok) vehicle->lease = Lease{who, key, now_s + kLease_s, now_s};
         const auto& holder = vehicle->mission.lease_operator;
         report(outcome.ok || holder.empty() ? outcome
                                             : Outcome{false, holder + " holds the lease"});
@@ -120,9 +119,9 @@ void Commander::release(const std::string& name, const std::string& who, double 
   if (!vehicle) return;
   if (!vehicle->lease || vehicle->lease->name != who)
     return report({false, who + " does not hold the lease"});
-  const auto id = vehicle->lease->id;
+  const auto key = vehicle->lease->key;
   vehicle->lease.reset();
-  vehicle->delivery->order(MissionOrder::kRelease, who, id, now_s, std::move(report));
+  vehicle->delivery->order(MissionOrder::kRelease, who, key, now_s, std::move(report));
 }
 
 void Commander::hand_over(const std::string& name, const std::string& who, const std::string& to,
@@ -133,7 +132,7 @@ void Commander::hand_over(const std::string& name, const std::string& who, const
     return report({false, who + " does not hold the lease"});
   // The secret stays the station's, so the gate sees its holder renew it under a new name.
   vehicle->delivery->order(
-      MissionOrder::kLease, to, vehicle->lease->id, now_s,
+      MissionOrder::kLease, to, vehicle->lease->key, now_s,
       [vehicle, to, now_s, report = std::move(report)](const Outcome& outcome) {
         if (outcome.ok && vehicle->lease) {
           vehicle->lease->name = to;
@@ -149,12 +148,14 @@ void Commander::command(const std::string& name, MissionOrder what, const std::s
   if (!vehicle) return;
   auto& lease = vehicle->lease;
   const bool holds = lease && lease->name == who;
-  if (!holds && what != MissionOrder::kStop) {
+  const bool is_free = !lease && vehicle->mission.lease_operator.empty();
+  const bool needs_lease = what != MissionOrder::kStop && !(what == MissionOrder::kLand && is_free);
+  if (!holds && needs_lease) {
     const auto& holder = lease ? lease->name : vehicle->mission.lease_operator;
     return report({false, holder.empty() ? "take the lease first" : holder + " holds the lease"});
   }
   if (holds) lease->until_s = now_s + kLease_s;
-  vehicle->delivery->order(what, who, holds ? lease->id : "", now_s, std::move(report));
+  vehicle->delivery->order(what, who, holds ? lease->key : nullptr, now_s, std::move(report));
 }
 
 void Commander::tick(double now_s) {
@@ -179,7 +180,7 @@ void Commander::renew(Vehicle& vehicle, double now_s) {
   const Lease current = *lease;
   if (over) lease.reset();
   vehicle.delivery->order(
-      over ? MissionOrder::kRelease : MissionOrder::kLease, current.name, current.id, now_s,
+      over ? MissionOrder::kRelease : MissionOrder::kLease, current.name, current.key, now_s,
       [&vehicle](const Outcome& outcome) {
         if (!outcome.ok && outcome.reason == to_string(MissionResult::kRefusedForeign))
           vehicle.lease.reset();  // it ran out unheard, and somebody else took it

@@ -47,7 +47,8 @@ class Commander {
   /// From its holder to another operator, without a moment in which a third one could take it.
   void hand_over(const std::string& vehicle, const std::string& name, const std::string& to,
                  double now_s, Report report);
-  /// Needs the lease, but for stop, which goes on, for a minute, after it was reported unconfirmed.
+  /// Needs the lease, but for stop, which goes on, for a minute, after it was reported unconfirmed,
+  /// and for land while nobody holds it.
   void command(const std::string& vehicle, MissionOrder order, const std::string& name,
                double now_s, Report report);
 
@@ -55,7 +56,8 @@ class Commander {
 
  private:
   struct Lease {
-    std::string name, id;
+    std::string name;
+    Delivery::Key key;
     double until_s = 0.0;
     double renewed_s = -1e9;
   };

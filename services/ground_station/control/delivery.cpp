@@ -15,8 +15,9 @@ constexpr double kConfirm_s = 1.0;   // in which a gate that hears an order answ
 constexpr double kPatience_s = 4.0;  // with the second try; the page waits for 5 s
 constexpr double kStopPatience_s = 60.0;
 constexpr double kRepeatStop_s = 0.1;
-constexpr double kHeard_s = 0.5;      // the gate speaks at 20 Hz
-constexpr double kSimulated_s = 1e8;  // stamps before 1973 are of a simulated clock
+constexpr double kHeard_s = 0.5;          // the gate speaks at 20 Hz
+constexpr double kFarthestGuess_s = 0.2;  // less than the gate takes for the future
+constexpr double kSimulated_s = 1e8;      // stamps before 1973 are of a simulated clock
 
 }  // namespace
 
@@ -34,29 +35,36 @@ bool Delivery::stops() const {
                      [](const Pending& p) { return p.order == MissionOrder::kStop; });
 }
 
-void Delivery::order(MissionOrder order, const std::string& name, const std::string& lease_id,
-                     double now_s, Report report) {
+void Delivery::order(MissionOrder order, const std::string& name, Key key, double now_s,
+                     Report report) {
   Pending pending;
   pending.id = next_id();
   pending.order = order;
   pending.name = name;
-  pending.lease_id = lease_id;
+  pending.key = std::move(key);
   pending.since_s = pending.next_s = now_s;
   pending.report = std::move(report);
   pending_.push_back(std::move(pending));
   if (writer_->readers() > 0) send(pending_.back(), now_s);
 }
 
+// Of the gate's clock where it is simulated, which may run slower than ours, or stand: orders must
+// seem to be given neither in the future nor before one another.
+double Delivery::next_stamp_s(double now_s) {
+  if (gate.stamp_s >= kSimulated_s) return static_cast<double>(now_ns()) * 1e-9;
+  const double guess_s = gate.stamp_s + std::min(now_s - gate.at_s, kFarthestGuess_s);
+  const bool anew = sent_stamp_s_ > guess_s + kHeard_s;  // the simulation began again
+  sent_stamp_s_ = anew ? guess_s : std::max(guess_s, sent_stamp_s_);
+  return sent_stamp_s_;
+}
+
 void Delivery::send(Pending& pending, double now_s) {
-  const bool simulated = gate.stamp_s < kSimulated_s;
-  const double stamp_s =
-      simulated ? gate.stamp_s + (now_s - gate.at_s) : static_cast<double>(now_ns()) * 1e-9;
   foretrack_msgs::msg::MissionCommand command;
-  command.header().stamp(to_stamp(stamp_s));
+  command.header().stamp(to_stamp(next_stamp_s(now_s)));
   command.id(pending.sent.empty() ? pending.id : next_id());
   command.command(static_cast<std::uint8_t>(pending.order));
   command.operator_id(pending.name);
-  command.lease_id(pending.lease_id);
+  if (pending.key) pending.key->sign(vehicle_, command);
   pending.sent.push_back(command.id());
   pending.next_s = pending.order == MissionOrder::kStop ? now_s + kRepeatStop_s : 1e18;
   const auto bytes = to_cdr(type_ops<foretrack_msgs::msg::MissionCommand>(), &command);

@@ -11,6 +11,7 @@
 
 #include "core/safety/mission.hpp"
 #include "services/common/raw.hpp"
+#include "services/convert/order_proof.hpp"
 #include "services/ground_station/status.hpp"
 
 namespace foretrack::station {
@@ -37,11 +38,15 @@ struct HeardGate {
 /// Belongs to one thread; `now_s` is the steady clock's.
 class Delivery {
  public:
-  /// Writes to the vehicle's mission/command.
-  explicit Delivery(std::unique_ptr<RawWriter> writer) : writer_(std::move(writer)) {}
+  /// The secret of a lease; none: the order is given without one. It never leaves this process:
+  /// orders are signed with it.
+  using Key = std::shared_ptr<const LeaseKey>;
 
-  void order(MissionOrder order, const std::string& name, const std::string& lease_id, double now_s,
-             Report report);
+  /// Writes to the vehicle's mission/command.
+  Delivery(std::string vehicle, std::unique_ptr<RawWriter> writer)
+      : vehicle_(std::move(vehicle)), writer_(std::move(writer)) {}
+
+  void order(MissionOrder order, const std::string& name, Key key, double now_s, Report report);
   /// What the gate says of an order.
   void settle(std::uint64_t command_id, MissionResult result);
   /// Sends what is due, gives up what has waited too long. on_unanswered: of an order that a gate
@@ -63,7 +68,8 @@ class Delivery {
   struct Pending {
     std::uint64_t id = 0;
     MissionOrder order = MissionOrder::kStart;
-    std::string name, lease_id;
+    std::string name;
+    Key key;
     double since_s = 0.0;
     double next_s = 0.0;   // when it is sent, or sent again
     bool retried = false;  // as no answer came
@@ -71,16 +77,19 @@ class Delivery {
     Report report;  // none: it was told
   };
   void send(Pending& pending, double now_s);
+  double next_stamp_s(double now_s);
   void doubt(double now_s, const std::function<void(MissionOrder)>& on_unanswered);
   void expire(double now_s);
   bool stops() const;
   std::uint64_t next_id();
 
+  std::string vehicle_;
   std::unique_ptr<RawWriter> writer_;
   std::unique_ptr<RawWriter> former_;  // while a STOP waits
   std::vector<Pending> pending_;
   std::optional<Unconfirmed> gave_up_;  // until an order is answered
   std::uint64_t last_id_ = 0;
+  double sent_stamp_s_ = 0.0;  // of the last order, by a simulated clock
 };
 
 }  // namespace foretrack::station

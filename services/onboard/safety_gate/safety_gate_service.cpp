@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
-#include "core/safety/command_of.hpp"
-#include "services/convert/px4.hpp"
-#include "services/convert/px4_command.hpp"
-#include "services/convert/px4_health.hpp"
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "services/convert/map.hpp"
+#include "services/convert/order_proof.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
+#include "services/onboard/safety_gate/memory_file.hpp"
 #include "services/onboard/safety_gate/px4_odometry.hpp"
 
 namespace foretrack {
@@ -20,119 +22,146 @@ constexpr auto convert = [](auto&& message) {
 constexpr double kTick_s = 0.01;
 constexpr double kReport_s = 0.05;
 constexpr std::size_t kMaxOrders = 8;
+constexpr double kSilence_s = 0.5;     // of a writer, before another one is heard
+constexpr double kMapSilence_s = 3.0;  // maps come seldom
+constexpr double kAlarm_s = 5.0;       // that it lasts after its cause
+
+// Two vehicles, or one in two domains, must not share their memory.
+std::filesystem::path memory_file_of(const ServiceOptions& options) {
+  if (options.state_folder.empty()) return {};
+  return std::filesystem::path(options.state_folder) /
+         fmt::format("gate-{}-{}", options.domain_id, options.names.vehicle);
+}
 
 }  // namespace
 
-SafetyGateService::SafetyGateService(Service& service, const SafetyParams& params)
+SafetyGateService::SafetyGateService(Service& service, const SafetyParams& params, bool dry_run,
+                                     const std::filesystem::path& memory_file)
     : service_(service),
       params_(params),
+      dry_run_(dry_run),
+      memory_(memory_file),
+      autopilot_(service, dry_run),
       vehicle_(service),
       plan_reader_(service.node()),
-      autopilot_reader_(service.node()),
-      flags_reader_(service.node()),
+      map_reader_(service.node()),
       order_reader_(service.node()),
-      setpoint_(service.node()),
-      heartbeat_(service.node()),
-      request_(service.node()),
       report_(service.node()) {
+  remember_start(memory_file);
+  vehicle_.pin_writer(kSilence_s);
+  plan_reader_.pin_writer(kSilence_s);
+  map_reader_.pin_writer(kMapSilence_s);
+  order_reader_.take_future_stamps();  // STOP and LAND count whenever they were given
   Loop& loop = service.loop();
   loop.on_newest(plan_reader_, convert,
                  [this](PlannedTrajectory&& plan) { plan_ = std::move(plan); });
-  loop.on_newest(autopilot_reader_, convert, [this](const AutopilotStatus& status) {
-    autopilot_ = status;
-    autopilot_.stamp_s = service_.clock().now_s();  // its clock need not be ours
+  loop.on_newest(map_reader_, convert, [this](GridMap&& map) {
+    map_ = std::move(map);
+    map_at_s_ = service_.clock().steady_s();
   });
-  loop.on_each(flags_reader_, [this](const px4_msgs::msg::FailsafeFlags& flags) {
-    hindrance_ = what_hinders_offboard(flags);
-  });
-  loop.on_each(order_reader_, convert, [this](MissionCommand&& command) {
-    if (orders_.size() < kMaxOrders) orders_.push_back(std::move(command));
-  });
+  loop.on_each(order_reader_,
+               [this](const foretrack_msgs::msg::MissionCommand& order) { hear_order(order); });
   loop.every(kTick_s, [this] { tick(); });
 }
 
+void SafetyGateService::remember_start(const std::filesystem::path& memory_file) {
+  if (memory_file.empty()) return;
+  const auto memory = read_memory(memory_file);
+  if (!memory) return;
+  restore(state_, *memory, service_.clock().steady_s(), params_);
+  spdlog::warn("safety_gate: was restarted: {}", to_string(state_.mission.phase));
+}
+
+// The lease's holder is heard of by every order under it, and by its renewal once a second.
+void SafetyGateService::hear_order(const foretrack_msgs::msg::MissionCommand& message) {
+  auto order = from_idl(message);
+  if (!order) return order_reader_.refuse(order.fault());
+  if (orders_.size() >= kMaxOrders) return order_reader_.reject("too many orders at a time");
+  order->proved = is_proved(service_.node().options().names.vehicle, message);
+  if (order->proved && order->lease_id == state_.mission.lease.id)
+    operator_at_s_ = service_.clock().steady_s();
+  orders_.push_back(*order);
+}
+
 void SafetyGateService::tick() {
-  const double now_s = service_.clock().now_s();
-  const double ticks_s = service_.clock().simulated() ? now_s : service_.clock().steady_s();
-  if (ticks_s < ticked_s_) state_ = GateState();  // a simulation was started anew
-  ticked_s_ = ticks_s;
-  start_simulation(now_s);
+  const double now_s = service_.clock().steady_s();
+  if (now_s < now_s_) state_ = GateState();  // a simulation was started anew
+  now_s_ = now_s;
   GateInput in;
-  in.now_s = ticks_s;
-  in.stamp_now_s = now_s;
-  const auto arrival = [&](double stamp_s) { return ticks_s - std::max(now_s - stamp_s, 0.0); };
-  in.autopilot = autopilot_;
-  if (autopilot_.stamp_s >= 0.0) in.autopilot_at_s = arrival(autopilot_.stamp_s);
-  if (const VehicleState* vehicle = vehicle_.newest()) {
-    in.vehicle = *vehicle;
-    in.vehicle_at_s = arrival(vehicle->stamp_s);
-  }
+  in.now_s = now_s;
+  in.stamp_now_s = service_.clock().now_s();
+  autopilot_.read(in);
+  if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
+  in.vehicle_at_s = vehicle_.measured_s();
   if (plan_) in.plan = &*plan_;
+  if (map_) in.map = &*map_;
+  in.map_at_s = map_at_s_;
   if (!orders_.empty()) in.command = &orders_.front();
+  in.operator_at_s = operator_at_s_;
+  in.writing = memory_.progress();
   const GateResult result = gate(state_, in, params_);
+  autopilot_.send(result, in.stamp_now_s);
+  if (result.memory_changed) memory_.write(state_.memory);
   if (in.command) orders_.pop_front();
   plan_.reset();
-  command_autopilot(result, now_s);
-  publish(result, now_s);
+  publish(result);
   last_ = result;
-}
-
-// What is simulated begins by itself, with an order as any other.
-void SafetyGateService::start_simulation(double now_s) {
-  if (!service_.clock().simulated() || state_.idle_since_s >= 0.0) return;
-  orders_.push_back({.id = 1, .stamp_s = now_s, .order = MissionOrder::kStart});
-}
-
-void SafetyGateService::command_autopilot(const GateResult& result, double now_s) {
-  if (result.heartbeat) {
-    to_heartbeat(now_s, heartbeat_.sample());
-    heartbeat_.write();
-  }
-  if (result.setpoint) {
-    to_idl(*result.setpoint, setpoint_.sample());
-    setpoint_.write();
-  }
-  if (const auto command = command_of(result.request, autopilot_.system_id)) {
-    to_idl(*command, now_s, request_.sample());
-    request_.write();
-  }
 }
 
 bool SafetyGateService::is_news(const GateResult& r) const {
   return r.mode != last_.mode || r.reason != last_.reason || r.plan_id != last_.plan_id ||
-         r.command_id != last_.command_id || r.end != last_.end ||
-         r.command_result != last_.command_result || r.phase != last_.phase ||
+         r.command_id != last_.command_id || r.command_result != last_.command_result ||
+         r.phase != last_.phase || r.end != last_.end || r.answer != last_.answer ||
          r.request != AutopilotRequest::kNone;
 }
 
-void SafetyGateService::publish(const GateResult& result, double now_s) {
-  if (!is_news(result) && std::abs(now_s - reported_s_) < kReport_s) return;
-  reported_s_ = now_s;
+// Samples of a second writer are not heard; that there is one is.
+std::string SafetyGateService::alarm() {
+  std::uint64_t samples = 0;
+  std::string topic;
+  for (const EndpointStats* stats :
+       {&plan_reader_.stats(), &vehicle_.stats(), &map_reader_.stats()}) {
+    const auto refused = stats->rejected_for(kSecondWriter);
+    samples += refused;
+    if (refused > 0) topic = stats->topic;
+  }
+  if (samples != second_writers_) second_writer_s_ = now_s_;
+  second_writers_ = samples;
+  return now_s_ - second_writer_s_ < kAlarm_s ? "a second writer of " + topic : "";
+}
+
+void SafetyGateService::publish(const GateResult& result) {
+  if (!is_news(result) && now_s_ - reported_s_ < kReport_s) return;
+  reported_s_ = now_s_;
   const bool flies = result.mode == SafetyMode::kTrack || result.mode == SafetyMode::kCoast;
-  const double age_s = vehicle_.newest() ? vehicle_.age_s(now_s) : -1.0;
   const auto& lease = state_.mission.lease;
-  const bool held = lease.is_held(ticked_s_);
-  const GateReport report{now_s,
-                          flies ? state_.flown.stamp_s : 0.0,
-                          result,
-                          autopilot_,
-                          age_s,
-                          state_.order.last.order,
-                          std::string(state_.order.last.operator_name.view()),
-                          held ? std::string(lease.operator_name.view()) : "",
-                          held ? lease.until_s - ticked_s_ : 0.0,
-                          autopilot_.offboard ? "" : hindrance_};
+  const bool held = lease.is_held(now_s_);
+  GateReport report;
+  report.stamp_s = service_.clock().now_s();
+  report.caused_by_s = flies ? state_.flown.stamp_s : 0.0;
+  report.result = result;
+  report.autopilot = autopilot_.status();
+  report.odometry_age_s = vehicle_.newest() ? now_s_ - vehicle_.measured_s() : -1.0;
+  report.order = state_.order.last.order;
+  report.operator_name = state_.order.last.operator_name.view();
+  report.lease_operator = held ? lease.operator_name.view() : "";
+  report.lease_remaining_s = held ? lease.until_s - now_s_ : 0.0;
+  report.hindrance = autopilot_.hindrance();
+  report.alarm = alarm();
+  report.dry_run = dry_run_;
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;
-  service_.health().set_degraded(silent ? std::string(to_string(result.reason)) : "");
+  service_.health().set_degraded(!report.alarm.empty() ? report.alarm
+                                 : silent              ? std::string(to_string(result.reason))
+                                                       : "");
 }
 
 void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
   Service service("safety_gate", options, stop);
   std::optional<Px4Odometry> odometry;
   if (options.px4_odometry) odometry.emplace(service);
-  SafetyGateService stage(service, params);
+  SafetyGateService stage(service, params, options.dry_run, memory_file_of(options));
   service.run();
 }
 

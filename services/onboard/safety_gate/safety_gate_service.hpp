@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans, orders and the flight controller's state in; setpoints, the heartbeat and requests out.
+// Plans, orders, the map and the flight controller's state in; setpoints, the heartbeat and
+// requests out.
 #pragma once
 
 #include <deque>
@@ -7,50 +8,54 @@
 #include <string>
 
 #include "core/safety/gate.hpp"
+#include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
 #include "foretrack_msgs/msg/SafetyState.h"
-#include "px4_msgs/msg/FailsafeFlags.h"
-#include "px4_msgs/msg/OffboardControlMode.h"
-#include "px4_msgs/msg/TrajectorySetpoint.h"
-#include "px4_msgs/msg/VehicleCommand.h"
-#include "px4_msgs/msg/VehicleStatus.h"
 #include "services/onboard/inputs.hpp"
+#include "services/onboard/safety_gate/autopilot_link.hpp"
+#include "services/onboard/safety_gate/memory_writer.hpp"
 
 namespace foretrack {
 
 /// Ticks at 100 Hz. The only writer of what the flight controller obeys. Its state goes out at
-/// 20 Hz, and at once when the mode, the flown trajectory or an order's result changes.
+/// 20 Hz, and at once when the mode, the flown trajectory or an order's result changes. Plans,
+/// odometry, the map and the flight controller's status are each heard from one writer.
 class SafetyGateService {
  public:
-  SafetyGateService(Service& service, const SafetyParams& params);
+  /// Remembers the mission in `memory_file`; empty: nowhere.
+  SafetyGateService(Service& service, const SafetyParams& params, bool dry_run,
+                    const std::filesystem::path& memory_file);
 
  private:
+  void remember_start(const std::filesystem::path& memory_file);
+  void hear_order(const foretrack_msgs::msg::MissionCommand& message);
   void tick();
-  void start_simulation(double now_s);
-  void command_autopilot(const GateResult& result, double now_s);
-  void publish(const GateResult& result, double now_s);
+  void publish(const GateResult& result);
   bool is_news(const GateResult& result) const;
+  std::string alarm();
 
   Service& service_;
   SafetyParams params_;
+  bool dry_run_;
   GateState state_;
+  MemoryWriter memory_;
+  AutopilotLink autopilot_;
   VehicleInput vehicle_;
   Reader<topics::PlannedTrajectory> plan_reader_;
-  Reader<topics::Px4VehicleStatus> autopilot_reader_;
-  Reader<topics::Px4FailsafeFlags> flags_reader_;
+  Reader<topics::LocalMap> map_reader_;
   Reader<topics::MissionCommand> order_reader_;
-  Writer<topics::Px4TrajectorySetpoint> setpoint_;
-  Writer<topics::Px4OffboardControlMode> heartbeat_;
-  Writer<topics::Px4VehicleCommand> request_;
   Writer<topics::SafetyState> report_;
   std::optional<PlannedTrajectory> plan_;  // that the gate has not seen
-  AutopilotStatus autopilot_;
-  std::string hindrance_;  // why the autopilot would refuse offboard mode
+  std::optional<GridMap> map_;
+  double map_at_s_ = -1.0;
+  double operator_at_s_ = -1.0;
   std::deque<MissionCommand> orders_;
   GateResult last_;
-  double reported_s_ = -1e9;
-  double ticked_s_ = -1e18;
+  double now_s_ = -1e18;  // of the last tick, monotonic
+  double reported_s_ = -1e18;
+  std::uint64_t second_writers_ = 0;  // samples of them so far
+  double second_writer_s_ = -1e18;    // when the last one came
 };
 
 /// Until the stop is requested.

@@ -157,6 +157,33 @@ TEST(Reader, AsksTheServiceToo) {
   EXPECT_EQ(reader.stats().samples, 1u);
 }
 
+TEST(Reader, HearsOneWriterAloneUntilItFallsSilent) {
+  Pair pair;
+  Node intruder(node_options("intruder"));
+  Writer<topics::TargetState> second(intruder);
+  pair.reader.pin_writer(0.5);
+  ASSERT_TRUE(eventually([&] { return second.readers() == 1 && pair.reader.writers() == 2; }));
+  double heard = 0.0;
+  const auto hears = [&](double x_m) {
+    pair.reader.take_each([&](const TargetState& state) { heard = state.position_m()[0]; });
+    return heard == x_m;
+  };
+  ASSERT_TRUE(eventually([&] {
+    pair.writer.write(tracking_at(1.0));
+    return hears(1.0);
+  }));
+  ASSERT_TRUE(eventually([&] {
+    pair.writer.write(tracking_at(1.0));
+    second.write(tracking_at(2.0));
+    EXPECT_TRUE(hears(1.0));
+    return pair.reader.stats().rejected_for(kSecondWriter) >= 3;
+  }));
+  EXPECT_TRUE(eventually([&] {
+    second.write(tracking_at(2.0));
+    return hears(2.0);
+  })) << "the first is silent, as if it had been killed";
+}
+
 TEST(Reader, SurvivesMalformedBytesAndCountsThem) {
   Node receiver(node_options("receiver"));
   Reader<topics::TargetState> reader(receiver);

@@ -32,15 +32,47 @@ TEST(BatteryStatus, SaysWhatTheBatteryIs) {
 
 TEST(FailsafeFlags, NameWhatOffboardNeedsAndOnlyThat) {
   msg::FailsafeFlags flags;
-  to_flags(1.0, true, BatteryWarning::kNone, flags);
+  to_flags(1.0, true, BatteryWarning::kNone, false, flags);
   EXPECT_EQ(what_hinders_offboard(flags), "") << "offboard needs neither a mission nor GNSS";
-  to_flags(1.0, false, BatteryWarning::kNone, flags);
+  to_flags(1.0, false, BatteryWarning::kNone, false, flags);
   EXPECT_EQ(what_hinders_offboard(flags), "no offboard signal");
   flags.local_position_invalid(true);
   flags.home_position_invalid(true);  // needed to return only
   EXPECT_EQ(what_hinders_offboard(flags), "no offboard signal, no local position");
-  to_flags(1.0, true, BatteryWarning::kCritical, flags);
+  to_flags(1.0, true, BatteryWarning::kCritical, false, flags);
   EXPECT_THAT(what_hinders_offboard(flags), HasSubstr("battery is critical"));
+}
+
+TEST(FailsafeFlags, TellOurOwnSilenceFromWhatGuardsTheVehicle) {
+  px4_msgs::msg::FailsafeFlags flags;
+  to_flags(1.0, true, BatteryWarning::kNone, false, flags);
+  EXPECT_FALSE(is_of_our_making(flags));
+  to_flags(1.0, false, BatteryWarning::kNone, false, flags);
+  EXPECT_TRUE(is_of_our_making(flags));
+  to_flags(1.0, false, BatteryWarning::kNone, true, flags);
+  EXPECT_FALSE(is_of_our_making(flags));
+  to_flags(1.0, false, BatteryWarning::kCritical, false, flags);
+  EXPECT_FALSE(is_of_our_making(flags));
+}
+
+TEST(BatteryStatus, RoundTripsAndMustBeConnected) {
+  BatteryState in;
+  in.cells = 4;
+  in.capacity_ah = 5.0;
+  in.remaining = 0.25;
+  in.voltage_v = 14.5;
+  in.warning = BatteryWarning::kLow;
+  px4_msgs::msg::BatteryStatus m;
+  to_idl(in, 1.0, m);
+  const auto out = from_idl(m);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_NEAR(out->remaining, 0.25, 1e-6);
+  EXPECT_EQ(out->warning, BatteryWarning::kLow);
+  m.remaining(-1.0f);  // PX4's word for unknown
+  EXPECT_FALSE(from_idl(m));
+  to_idl(in, 1.0, m);
+  m.connected(false);
+  EXPECT_FALSE(from_idl(m));
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include "core/safety/mission.hpp"
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/SafetyState.h"
+#include "services/common/clock.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
+#include "services/convert/order_proof.hpp"
 #include "services/ground_station/bus/channel.hpp"
 #include "tests/services/common/bus.hpp"
 
@@ -21,18 +23,20 @@ class Gate {
  public:
   bool deaf = false;
   int orders = 0;  // that came, also to deaf ears
+  double latest_stamp_s = 0.0;
   Mission mission{.phase = MissionPhase::kTracking, .engaged = true};
 
   CdrBytes step(double now_s) {
     orders_.take_each([&](const foretrack_msgs::msg::MissionCommand& m) {
       ++orders;
+      latest_stamp_s = std::max(latest_stamp_s, to_seconds(m.header().stamp()));
       if (deaf) return;
       const MissionCommand command{m.id(),
                                    now_s,
                                    static_cast<MissionOrder>(m.command()),
                                    m.operator_id().c_str(),
                                    m.lease_id().c_str(),
-                                   !m.lease_id().empty()};
+                                   is_proved("uav1", m)};
       state_.command_result(static_cast<std::uint8_t>(apply(command, mission, {now_s, now_s}, {})));
       state_.command_id(m.id());
       state_.command(m.command());
@@ -101,6 +105,17 @@ TEST_F(Orders, OneThatIsAnsweredIsNeitherSentAgainNorCalledUnconfirmed) {
   EXPECT_TRUE(until([&] { return gate_.orders > 1; })) << "the lease is renewed";
   EXPECT_FALSE(unconfirmed());
   EXPECT_TRUE(complaints_.empty());
+}
+
+TEST_F(Orders, AreNotOfTheFutureWhereTheVehiclesSimulatedClockStands) {
+  gate_.deaf = true;
+  asked("stop");
+  EXPECT_TRUE(until([&] { return gate_.orders > 0; }));
+  const int before = gate_.orders;
+  skipped_s_ += 3.0;  // in which nothing was heard of it
+  commander_.tick(now_s());
+  EXPECT_TRUE(until([&] { return gate_.orders > before; }));
+  EXPECT_LT(gate_.latest_stamp_s, 0.5);
 }
 
 TEST_F(Orders, OneThatIsLostIsUnconfirmedAndArrivesWhenTheBusWasJoinedAnew) {

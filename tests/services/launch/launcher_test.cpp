@@ -55,6 +55,32 @@ TEST(Launcher, StartsAKilledProcessAgainAndSaysSo) {
   EXPECT_NE(said.find("started again"), std::string::npos) << said;
 }
 
+TEST(Launcher, StartsAnewAtOnceAfterTheFirstCrash) {
+  Folder folder;
+  Launcher launcher(folder.path, "/bin/sh");
+  launcher.add(shell("exec sleep 60"));
+  launcher.poll();
+  kill(launcher.processes()[0].pid, SIGKILL);
+  ASSERT_TRUE(eventually([&] {
+    launcher.poll();
+    return launcher.processes()[0].crashes_in_a_row == 1;
+  }));
+  EXPECT_LE(launcher.processes()[0].due, std::chrono::steady_clock::now());
+}
+
+TEST(Launcher, StartsAlsoWhatEndedWellIfItIsToRunAlways) {
+  Folder folder;
+  Launcher launcher(folder.path, "/bin/sh");
+  ProcessSpec brief = shell("exit 0");
+  brief.always = true;
+  launcher.add(brief);
+  EXPECT_TRUE(eventually([&] {
+    launcher.poll();
+    return launcher.processes()[0].starts == 2;
+  }));
+  EXPECT_FALSE(launcher.any_given_up());
+}
+
 TEST(Launcher, WaitsLongerAfterEachCrash) {
   Folder folder;
   Launcher launcher(folder.path, "/bin/sh");

@@ -6,6 +6,7 @@
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
 #include "services/files/config/load_scenario.hpp"
+#include "services/onboard/safety_gate/safety_gate_service.hpp"
 #include "services/simulator/simulator_service.hpp"
 #include "tests/services/onboard/neighbours.hpp"
 
@@ -23,10 +24,13 @@ class FlightOnDds : public ::testing::Test {
     simulator_.emplace([this](const ServiceOptions& options, Stop& stop) {
       run_simulator(options, scenario_, {.speed = 1.0, .endless = true}, stop);
     });
-    onboard_.emplace([map](const ServiceOptions& options, Stop& stop) {
-      ServiceOptions simulated = options;
-      simulated.use_sim_time = true;
-      run_onboard(simulated, TrackerParams{}, map == MapSource::kDepth, stop);
+    stages_.emplace([map](ServiceOptions options, Stop& stop) {
+      options.use_sim_time = true;
+      run_stages(options, TrackerParams{}, map == MapSource::kDepth, stop);
+    });
+    gate_.emplace([](ServiceOptions options, Stop& stop) {
+      options.use_sim_time = true;
+      run_safety_gate(options, SafetyParams{}, stop);
     });
   }
 
@@ -41,18 +45,29 @@ class FlightOnDds : public ::testing::Test {
         [](const nav_msgs::msg::Odometry& message) { return from_idl(message); },
         [this](const VehicleState& state) { vehicle_ = state; });
   }
+  // By the gate's clock, which is simulated.
+  void order_start() {
+    if (report_.result.phase != MissionPhase::kIdle || report_.stamp_s < next_order_s_) return;
+    next_order_s_ = report_.stamp_s + 0.5;
+    to_idl(MissionCommand{.id = ++order_id_, .stamp_s = report_.stamp_s}, order_.sample());
+    order_.write();
+  }
   bool tracks() {
     listen();
+    order_start();
     return report_.result.mode == SafetyMode::kTrack && report_.autopilot.offboard;
   }
   double distance_m() const { return distance_xy(target_.position_enu_m, vehicle_.position_enu_m); }
 
   Scenario scenario_;
-  std::optional<Running> simulator_, onboard_;
+  std::optional<Running> simulator_, stages_, gate_;
   Neighbours neighbours_;
   Reader<topics::SafetyState> report_reader_{neighbours_.node()};
   Reader<topics::TargetTruth> target_reader_{neighbours_.node()};
   Reader<topics::VehicleTruth> vehicle_reader_{neighbours_.node()};
+  Writer<topics::MissionCommand> order_{neighbours_.node()};
+  std::uint64_t order_id_ = 0;
+  double next_order_s_ = 0.1;  // once there is a clock
   GateReport report_;
   VehicleState target_, vehicle_;
 };
@@ -94,7 +109,7 @@ TEST(Onboard, ThrowsWhatAServiceCouldNotStartWith) {
   ServiceOptions options = service_options();
   options.names.vehicle = "Not A Name";
   Stop stop;
-  EXPECT_THROW(run_onboard(options, TrackerParams{}, true, stop), std::invalid_argument);
+  EXPECT_THROW(run_stages(options, TrackerParams{}, true, stop), std::invalid_argument);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct Flight {
     target.status(msg::TargetState_Constants::STATUS_TRACKING);
     plan.status(msg::PlannedTrajectory_Constants::STATUS_FRESH);
     safety.mode(msg::SafetyState_Constants::MODE_TRACK);
+    safety.phase(msg::SafetyState_Constants::PHASE_TRACKING);
     safety.armed(true);
     safety.offboard(true);
     snapshot.vehicle = "uav1";

@@ -146,7 +146,9 @@ export function safety(t, more = {}) {
     deviation_m: 0.05, offboard: true, armed: true, heartbeat: true, setpoint_valid: true,
     position_m: [0, 0, 0], velocity_mps: [0, 0, 0], acceleration_mps2: [0, 0, 0], yaw_rad: 0,
     yaw_rate_radps: 0,
-    command_id: 0n, command_result: 0, operator_id: "", ...more };
+    command_id: 0n, command: 0, command_result: 0, operator_id: "", lease_operator: "",
+    lease_remaining_s: 0, mission_end: 0, asked: 0, answer: 0, dry_run: false, alarm: "",
+    ...more };
 }
 
 export function health(t, service, more = {}) {

@@ -1,24 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
+// The gate's process between fake stages, an operator, and a flight controller that objects as PX4
+// does (the simulator's).
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
+#include "core/simulator/autopilot.hpp"
+#include "services/convert/map.hpp"
+#include "services/convert/order_proof.hpp"
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
 #include "tests/services/onboard/neighbours.hpp"
+#include "tests/support/folder.hpp"
 
 namespace foretrack::testing {
 namespace {
 
 class SafetyGateOnDds : public ::testing::Test {
  protected:
-  SafetyGateOnDds() { neighbours_.vehicle.position_enu_m = {0.0, 0.0, 1.5}; }
+  SafetyGateOnDds() {
+    neighbours_.vehicle.position_enu_m = {0.0, 0.0, 1.5};
+    to_idl(free_map(0.0), map_.sample());
+    map_.write();
+    start_gate();
+  }
 
-  void send_autopilot() {
-    autopilot_.stamp_s = neighbours_.now_s();
-    to_idl(autopilot_, status_.sample());
+  void start_gate(bool dry_run = false, const std::string& state = "") {
+    gate_.reset();
+    const std::string folder = state.empty() ? folder_.path.string() : state;
+    gate_.emplace([=](ServiceOptions options, Stop& stop) {
+      options.state_folder = folder;
+      options.dry_run = dry_run;
+      run_safety_gate(options, SafetyParams{}, stop);
+    });
+    report_ = {};
+  }
+
+  // One step of the flight controller, with what the gate sent since the last one.
+  void step_autopilot() {
+    AutopilotInput input;
+    input.heartbeat = heartbeat_reader_.take_newest() != nullptr;
+    heartbeats_ += input.heartbeat;
+    setpoint_reader_.take_each_as(
+        [](const px4_msgs::msg::TrajectorySetpoint& m) { return from_idl(m); },
+        [&](const Setpoint& setpoint) {
+          input.setpoint = setpoint_ = setpoint;
+          ++setpoints_;
+        });
+    request_reader_.take_each([this](const auto& m) { waiting_.push_back(m); });
+    if (!waiting_.empty()) input.command = *from_idl(waiting_.front());
+    VehicleState vehicle = neighbours_.vehicle;
+    vehicle.stamp_s = neighbours_.now_s();
+    update_autopilot(autopilot_, input, vehicle, 0.02);
+    if (autopilot_.answer) {
+      to_ack(waiting_.front(), *autopilot_.answer, vehicle.stamp_s, ack_.sample());
+      ack_.write();
+    }
+    if (input.command) {
+      asked_.push_back(*input.command);
+      waiting_.pop_front();
+    }
+    to_idl(autopilot_.status, status_.sample());
     status_.write();
+  }
+  void suffer(IncidentKind kind, FlightMode mode = FlightMode::kPilot) {
+    autopilot_.params.incidents.push_back({neighbours_.now_s(), kind, mode});
   }
   // Hovers where the vehicle is, so that nothing deviates.
   PlannedTrajectory hover_plan() {
@@ -39,188 +86,305 @@ class SafetyGateOnDds : public ::testing::Test {
     to_idl(hover_plan(), plan_.sample());
     plan_.write();
   }
-  void send_order(MissionOrder order, std::uint64_t id, const std::string& name = "ada") {
-    to_idl(MissionCommand{.id = id,
+  // Signed, if there is a key. The id is above all before it, unless one is given.
+  void send_order(MissionOrder order, const LeaseKey* key = nullptr,
+                  const std::string& name = "ada", std::uint64_t id = 0) {
+    order_id_ = std::max(order_id_ + 1, id);
+    to_idl(MissionCommand{.id = id > 0 ? id : order_id_,
                           .stamp_s = neighbours_.now_s(),
                           .order = order,
-                          .operator_name = name,
-                          .lease_id = name + "'s"},
+                          .operator_name = name},
            order_.sample());
+    if (key) key->sign("uav1", order_.sample());
     order_.write();
   }
   void feed() {
     neighbours_.send_odometry();
-    send_autopilot();
+    step_autopilot();
     send_plan();
+  }
+  bool until(const std::function<bool()>& condition) {
+    return neighbours_.until(
+        [&] {
+          listen();
+          return condition();
+        },
+        [&] { feed(); });
   }
   void listen() {
     report_reader_.take_each([this](const auto& message) {
       const auto report = from_idl(message);
       ASSERT_TRUE(report) << report.fault().text;
       report_ = *report;
-      heard_ = true;
-    });
-    setpoint_reader_.take_each([this](const auto& message) {
-      const auto setpoint = from_idl(message);
-      ASSERT_TRUE(setpoint) << setpoint.fault().text;
-      setpoint_ = *setpoint;
-      ++setpoints_;
-    });
-    heartbeat_reader_.take_each([this](const auto&) { ++heartbeats_; });
-    request_reader_.take_each([this](const auto& message) {
-      const auto request = from_idl(message);
-      ASSERT_TRUE(request) << request.fault().text;
-      request_ = *request;
+      text_ = message.text().c_str();
+      ++reports_;
     });
   }
-  bool says(SafetyMode mode) {
-    listen();
-    return heard_ && report_.result.mode == mode;
-  }
+  bool says(SafetyMode mode) { return reports_ > 0 && report_.result.mode == mode; }
   bool says(SafetyMode mode, SafetyReason reason) {
     return says(mode) && report_.result.reason == reason;
   }
+  bool says(MissionPhase phase) { return reports_ > 0 && report_.result.phase == phase; }
+  bool ended(MissionEnd why) { return says(MissionPhase::kIdle) && report_.result.end == why; }
+  // Sends the order, once the gate hears, until it has answered.
+  bool ordered(MissionOrder order, MissionResult result = MissionResult::kAccepted,
+               const LeaseKey* key = nullptr) {
+    std::uint64_t sent = 0;
+    double sent_s = 0.0;
+    return until([&] {
+      if (reports_ > 0 && order_.readers() > 0 && neighbours_.now_s() - sent_s > 0.5) {
+        send_order(order, key);
+        sent = order_id_;
+        sent_s = neighbours_.now_s();
+      }
+      return sent > 0 && report_.result.command_id == sent &&
+             report_.result.command_result == result;
+    });
+  }
+  bool tracks() {
+    return ordered(MissionOrder::kStart) && until([&] { return says(SafetyMode::kTrack); }) &&
+           until([&] { return setpoints_ > 5; });
+  }
+  // Two seconds of reports in which nothing is asked of the flight controller and nothing is flown.
+  bool stays_silent() {
+    const std::size_t asked = asked_.size();
+    const int heard = reports_;
+    if (!until([&] { return reports_ > heard + 5; })) return false;  // what was under way is there
+    const int setpoints = setpoints_, heartbeats = heartbeats_;
+    return until([&] { return reports_ > heard + 45; }) && asked_.size() == asked &&
+           setpoints_ == setpoints && heartbeats_ == heartbeats;
+  }
 
+  Folder folder_;
   Neighbours neighbours_;
   Writer<topics::Px4VehicleStatus> status_{neighbours_.node()};
+  Writer<topics::Px4VehicleCommandAck> ack_{neighbours_.node()};
   Writer<topics::PlannedTrajectory> plan_{neighbours_.node()};
+  Writer<topics::LocalMap> map_{neighbours_.node()};
   Writer<topics::MissionCommand> order_{neighbours_.node()};
   Reader<topics::SafetyState> report_reader_{neighbours_.node()};
   Reader<topics::Px4TrajectorySetpoint> setpoint_reader_{neighbours_.node()};
   Reader<topics::Px4OffboardControlMode> heartbeat_reader_{neighbours_.node()};
   Reader<topics::Px4VehicleCommand> request_reader_{neighbours_.node()};
-  Running service_{[](const ServiceOptions& options, Stop& stop) {
-    run_safety_gate(options, SafetyParams{}, stop);
-  }};
-  AutopilotStatus autopilot_{.armed = true, .offboard = true, .mode = FlightMode::kOffboard};
-  std::uint64_t plan_id_ = 100;
+  Autopilot autopilot_ = make_autopilot({}, VehicleState{.position_enu_m = {0.0, 0.0, 1.5}});
+  std::optional<Running> gate_;
+  std::deque<px4_msgs::msg::VehicleCommand> waiting_;
+  std::vector<AutopilotCommand> asked_;  // of the flight controller, so far
+  std::uint64_t plan_id_ = 100, order_id_ = 0;
   GateReport report_;
+  std::string text_;
   Setpoint setpoint_;
-  std::optional<AutopilotCommand> request_;
-  bool heard_ = false;
-  int setpoints_ = 0, heartbeats_ = 0;
+  int reports_ = 0, setpoints_ = 0, heartbeats_ = 0;
 };
 
-TEST_F(SafetyGateOnDds, IsSilentWithoutOdometry) {
-  ASSERT_TRUE(
-      neighbours_.until([&] { return says(SafetyMode::kSilent, SafetyReason::kVehicleStale); },
-                        [&] { send_autopilot(), send_plan(); }));
+TEST_F(SafetyGateOnDds, AsksForNothingWithoutAnOrder) {
+  ASSERT_TRUE(until([&] { return says(MissionPhase::kIdle); }));
+  EXPECT_TRUE(stays_silent());
+  EXPECT_TRUE(asked_.empty());
   EXPECT_EQ(setpoints_ + heartbeats_, 0);
 }
 
-TEST_F(SafetyGateOnDds, FliesThePlanAndNamesTheDataBehindIt) {
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack) && setpoints_ > 5; },
-                                [&] { feed(); }));
+TEST_F(SafetyGateOnDds, FliesThePlanOnOrderAndNamesTheDataBehindIt) {
+  ASSERT_TRUE(tracks());
   EXPECT_LT((setpoint_.position_enu_m - neighbours_.vehicle.position_enu_m).norm(), 1e-3);
   EXPECT_NEAR(setpoint_.yaw_rad, 0.5, 1e-3);
   EXPECT_GT(report_.caused_by_s, neighbours_.now_s() - 5.0);
-  EXPECT_GT(heartbeats_, 0);
+  ASSERT_EQ(asked_.size(), 1u) << "it was in the air and armed: offboard alone is asked for, once";
+  EXPECT_EQ(asked_[0].mode, FlightMode::kOffboard);
 }
 
-TEST_F(SafetyGateOnDds, SendsNoSetpointBeforeOffboardButAsksForIt) {
-  autopilot_.offboard = false;
-  autopilot_.mode = FlightMode::kHold;
-  ASSERT_TRUE(neighbours_.until(
-      [&] {
-        listen();
-        return heartbeats_ > 0 && request_ && request_->mode == FlightMode::kOffboard;
-      },
-      [&] { feed(); }));
-  EXPECT_EQ(setpoints_, 0);
+TEST_F(SafetyGateOnDds, ArmsAParkedVehicleOnOrderAlone) {
+  neighbours_.vehicle.position_enu_m.z() = 0.0;
+  autopilot_ = make_autopilot({.system_id = 7}, neighbours_.vehicle);
+  ASSERT_TRUE(until([&] { return says(MissionPhase::kIdle); }));
+  EXPECT_TRUE(ordered(MissionOrder::kStop));
+  EXPECT_TRUE(stays_silent());
+  EXPECT_FALSE(autopilot_.status.armed) << "STOP armed it";
+  EXPECT_TRUE(ordered(MissionOrder::kTakeOff));
+  EXPECT_TRUE(until([&] { return autopilot_.status.armed; }));
+  EXPECT_TRUE(until([&] { return autopilot_.status.mode == FlightMode::kTakeOff; }));
+  for (const auto& command : asked_) EXPECT_EQ(command.target_system, 7);
+}
+
+TEST_F(SafetyGateOnDds, LeavesTheVehicleToWhoeverTakesIt) {
+  for (const auto& [kind, mode, why] :
+       {std::tuple(IncidentKind::kMode, FlightMode::kPilot, MissionEnd::kPilot),
+        std::tuple(IncidentKind::kMode, FlightMode::kReturn, MissionEnd::kOtherMode),
+        std::tuple(IncidentKind::kBattery, FlightMode::kPilot, MissionEnd::kFailsafe)}) {
+    ASSERT_TRUE(tracks());
+    suffer(kind, mode);
+    EXPECT_TRUE(until([&] { return ended(why); })) << text_;
+    EXPECT_TRUE(stays_silent()) << text_;
+    EXPECT_FALSE(autopilot_.status.offboard);
+    autopilot_ = make_autopilot({}, neighbours_.vehicle);
+  }
+}
+
+TEST_F(SafetyGateOnDds, GivesUpWithWordsWhatTheFlightControllerDeniesOrDoesNotAnswer) {
+  suffer(IncidentKind::kDeny);
+  ASSERT_TRUE(ordered(MissionOrder::kStart));
+  EXPECT_TRUE(until([&] { return ended(MissionEnd::kRefused); })) << text_;
+  EXPECT_NE(text_.find("offboard: denied"), std::string::npos) << text_;
+  EXPECT_EQ(asked_.size(), 1u);
+  suffer(IncidentKind::kIgnore);
+  ASSERT_TRUE(ordered(MissionOrder::kStart));
+  EXPECT_TRUE(until([&] { return ended(MissionEnd::kNoAnswer); })) << text_;
+  EXPECT_EQ(asked_.size(), 2u);
+  EXPECT_TRUE(stays_silent());
 }
 
 TEST_F(SafetyGateOnDds, SaysWhyTheAutopilotWouldRefuseOffboard) {
-  autopilot_.offboard = false;
-  autopilot_.mode = FlightMode::kHold;
   Writer<topics::Px4FailsafeFlags> flags(neighbours_.node());
-  std::string text;
-  ASSERT_TRUE(neighbours_.until(
-      [&] {
-        report_reader_.take_each([&](const auto& m) { text = m.text().c_str(); });
-        return text.find("would refuse: no offboard signal") != std::string::npos;
-      },
-      [&] {
-        feed();
-        to_flags(neighbours_.now_s(), false, BatteryWarning::kNone, flags.sample());
-        flags.write();
-      }))
-      << text;
+  ASSERT_TRUE(until([&] {
+    to_flags(neighbours_.now_s(), false, BatteryWarning::kNone, false, flags.sample());
+    flags.write();
+    return text_.find("would refuse: no offboard signal") != std::string::npos;
+  })) << text_;
 }
 
 TEST_F(SafetyGateOnDds, CoastsAndThenHoversWhenPlansCease) {
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack); }, [&] { feed(); }));
-  const auto without_plans = [&] { neighbours_.send_odometry(), send_autopilot(); };
-  EXPECT_TRUE(neighbours_.until([&] { return says(SafetyMode::kCoast, SafetyReason::kPlanStale); },
-                                without_plans));
-  EXPECT_TRUE(neighbours_.until([&] { return says(SafetyMode::kHover, SafetyReason::kPlanEnded); },
-                                without_plans));
+  ASSERT_TRUE(tracks());
+  const auto hears = [&](SafetyMode mode, SafetyReason reason) {
+    return neighbours_.until(
+        [&] {
+          listen();
+          return says(mode, reason);
+        },
+        [&] { neighbours_.send_odometry(), step_autopilot(); });
+  };
+  EXPECT_TRUE(hears(SafetyMode::kCoast, SafetyReason::kPlanStale));
+  EXPECT_TRUE(hears(SafetyMode::kHover, SafetyReason::kPlanEnded));
 }
 
 TEST_F(SafetyGateOnDds, FallsSilentWhenTheOdometryCeases) {
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack); }, [&] { feed(); }));
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kSilent); },
-                                [&] { send_autopilot(), send_plan(); }));
-  EXPECT_FALSE(report_.result.heartbeat);
-}
-
-TEST_F(SafetyGateOnDds, ObeysOrdersAndSaysWhoseItWas) {
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack); }, [&] { feed(); }));
-  std::uint64_t id = 0;
-  ASSERT_TRUE(neighbours_.until([&] { return says(SafetyMode::kHover, SafetyReason::kMission); },
-                                [&] {
-                                  feed();
-                                  send_order(MissionOrder::kStop, ++id);
-                                }));
-  EXPECT_EQ(report_.result.phase, MissionPhase::kStopped);
-  EXPECT_EQ(report_.operator_name, "ada");
-}
-
-TEST_F(SafetyGateOnDds, TellsWhoHoldsTheLeaseAndRefusesOthers) {
-  std::uint64_t id = 0;
+  ASSERT_TRUE(tracks());
   ASSERT_TRUE(neighbours_.until(
       [&] {
         listen();
-        return report_.lease_operator == "ada" &&
-               report_.result.command_result == MissionResult::kRefusedForeign;
+        return says(SafetyMode::kSilent);
       },
-      [&] {
-        feed();
-        send_order(MissionOrder::kLease, ++id);
-        send_order(MissionOrder::kHold, ++id, "bob");
-      }));
-  EXPECT_EQ(report_.operator_name, "bob");
-  EXPECT_EQ(report_.order, MissionOrder::kHold);
-  EXPECT_NE(report_.result.phase, MissionPhase::kHolding);
-  EXPECT_GT(report_.lease_remaining_s, 0.0);
+      [&] { step_autopilot(), send_plan(); }));
+  EXPECT_FALSE(report_.result.heartbeat);
 }
 
-TEST_F(SafetyGateOnDds, RefusesGarbageAndHovers) {
+TEST_F(SafetyGateOnDds, StopOutlivesAKillAndNothingIsResumed) {
+  ASSERT_TRUE(tracks());
+  ASSERT_TRUE(ordered(MissionOrder::kStop));
+  start_gate();
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kStopped); })) << text_;
+  EXPECT_TRUE(ordered(MissionOrder::kResume, MissionResult::kRefusedPhase));
+  start_gate(false, folder_.path.string() + "/empty");
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kIdle); })) << "without its file";
+}
+
+TEST_F(SafetyGateOnDds, AKilledGateThatTrackedHoldsUntilItIsTold) {
+  ASSERT_TRUE(tracks());
+  start_gate();
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kHolding); })) << text_;
+  const auto asked = asked_.size();
+  EXPECT_TRUE(ordered(MissionOrder::kResume));
+  EXPECT_TRUE(until([&] { return says(SafetyMode::kTrack); })) << text_;
+  EXPECT_LE(asked_.size(), asked + 1);
+}
+
+TEST_F(SafetyGateOnDds, RefusesWhatItCannotRememberButNeverStop) {
+  start_gate(false, "/dev/full/none");
+  EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kRefusedUnwritten));
+  EXPECT_TRUE(ordered(MissionOrder::kStop, MissionResult::kAcceptedUnwritten));
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kStopped); }));
+}
+
+TEST_F(SafetyGateOnDds, ObeysTheLeasesHolderAloneAlthoughAllReadTheTopic) {
+  const LeaseKey ada, bob;
+  ASSERT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
+  EXPECT_EQ(report_.lease_operator, "ada");
+  EXPECT_GT(report_.lease_remaining_s, 0.0);
+  const auto overheard = order_.sample();  // as an intruder has it, who writes another order
+  EXPECT_TRUE(until([&] {
+    order_.sample() = overheard;
+    order_.sample().id(++order_id_);
+    order_.sample().command(static_cast<std::uint8_t>(MissionOrder::kStart));
+    order_.write();
+    return report_.result.command_result == MissionResult::kRefusedUnproved;
+  }));
+  EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kRefusedForeign, &bob));
+  EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kRefusedForeign));
+  EXPECT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
+  EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kAccepted, &ada));
+}
+
+TEST_F(SafetyGateOnDds, AnswersOrdersOfTheFutureAndObeysStopWheneverItWasGiven) {
+  ASSERT_TRUE(tracks());
+  const auto answers = [&](MissionOrder order, double ahead_s, MissionResult result) {
+    return until([&] {
+      to_idl(
+          MissionCommand{
+              .id = ++order_id_, .stamp_s = neighbours_.now_s() + ahead_s, .order = order},
+          order_.sample());
+      order_.write();
+      return report_.order == order && report_.result.command_result == result;
+    });
+  };
+  EXPECT_TRUE(answers(MissionOrder::kHold, 5.0, MissionResult::kRefusedFuture));
+  EXPECT_TRUE(answers(MissionOrder::kHold, -5.0, MissionResult::kRefusedLate));
+  EXPECT_TRUE(answers(MissionOrder::kStop, 3600.0, MissionResult::kAccepted));
+  EXPECT_TRUE(ordered(MissionOrder::kStart)) << "the stamp of that STOP locks nobody out";
+}
+
+TEST_F(SafetyGateOnDds, NoIdLocksLaterOrdersOut) {
+  ASSERT_TRUE(tracks());
+  send_order(MissionOrder::kHold, nullptr, "ada", ~std::uint64_t{0});
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kHolding); }));
+  order_id_ = 0;
+  EXPECT_TRUE(ordered(MissionOrder::kResume));
+  EXPECT_TRUE(ordered(MissionOrder::kLand));
+}
+
+TEST_F(SafetyGateOnDds, HearsOneWriterOfPlansAndRaisesAnAlarmForASecond) {
+  ASSERT_TRUE(tracks());
+  Node intruder(node_options("intruder"));
+  Writer<topics::PlannedTrajectory> second(intruder);
+  EXPECT_TRUE(until([&] {
+    PlannedTrajectory plan = hover_plan();
+    plan.pieces[0].coefficients.row(0) = Vec3(0.0, 0.3, 1.5).transpose();
+    to_idl(plan, second.sample());
+    second.write();
+    return report_.alarm.find("plan/trajectory") != std::string::npos;
+  })) << text_;
+  EXPECT_LT((setpoint_.position_enu_m - neighbours_.vehicle.position_enu_m).norm(), 1e-3);
+  EXPECT_TRUE(says(SafetyMode::kTrack));
+}
+
+TEST_F(SafetyGateOnDds, ADryRunDecidesAndSendsNothing) {
+  start_gate(true);
+  ASSERT_TRUE(ordered(MissionOrder::kStart));
+  EXPECT_TRUE(until([&] { return says(SafetyMode::kTrack) && report_.result.setpoint; })) << text_;
+  EXPECT_TRUE(report_.dry_run);
+  EXPECT_TRUE(asked_.empty());
+  EXPECT_EQ(setpoints_ + heartbeats_, 0);
+}
+
+TEST_F(SafetyGateOnDds, RefusesGarbageAndHolds) {
+  ASSERT_TRUE(ordered(MissionOrder::kStart));
   const auto spoil = [&](auto change) {
     to_idl(hover_plan(), plan_.sample());
     change(plan_.sample());
     plan_.write();
   };
-  ASSERT_TRUE(neighbours_.until(
-      [&] {
-        listen();
-        return neighbours_.refused("plan/trajectory") >= 4 &&
-               neighbours_.refused("mission/command") >= 1;
-      },
-      [&] {
-        neighbours_.send_odometry();
-        send_autopilot();
-        spoil([](auto& m) { m.pieces()[0].coefficients()[3][1] = kNaN; });
-        spoil([](auto& m) { m.pieces().resize(3000, m.pieces()[0]); });
-        spoil([](auto& m) {
-          m.pieces().push_back(m.pieces()[0]), m.pieces()[1].coefficients()[0][0] += 5.0;
-        });
-        spoil([](auto& m) { m.status(99); });
-        order_.sample() = {};
-        order_.sample().command(250);
-        order_.write();
-      }));
-  EXPECT_TRUE(says(SafetyMode::kHover, SafetyReason::kNoPlanYet));
-  EXPECT_TRUE(neighbours_.until([&] { return says(SafetyMode::kTrack); }, [&] { feed(); }));
+  ASSERT_TRUE(until([&] {
+    spoil([](auto& m) { m.pieces()[0].coefficients()[3][1] = kNaN; });
+    spoil([](auto& m) { m.pieces().resize(3000, m.pieces()[0]); });
+    spoil([](auto& m) {
+      m.pieces().push_back(m.pieces()[0]), m.pieces()[1].coefficients()[0][0] += 5.0;
+    });
+    spoil([](auto& m) { m.status(99); });
+    order_.sample() = {};
+    order_.sample().command(250);
+    order_.write();
+    return neighbours_.refused("plan/trajectory") >= 4 &&
+           neighbours_.refused("mission/command") >= 1;
+  }));
+  EXPECT_TRUE(until([&] { return says(SafetyMode::kTrack); })) << text_;
 }
 
 TEST(Px4OdometryOnDds, FliesOnPx4sOwnEstimate) {

@@ -111,8 +111,11 @@ export interface SafetyState {
   command_id: bigint;
   command_result: number;
   operator_id: string;
-  command?: number; // these two are missing in older recordings
+  command?: number; // these are missing in older recordings
   lease_operator?: string;
+  mission_end?: number;
+  dry_run?: boolean;
+  alarm?: string;
 }
 
 export interface MissionCommand {

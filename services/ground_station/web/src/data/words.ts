@@ -54,6 +54,25 @@ const gateReason = [
   "the images are frozen, dark or covered",
 ];
 
+const missionEnd = [
+  "",
+  "the pilot took over",
+  "the pilot moved the sticks",
+  "another mode was chosen",
+  "the vehicle was disarmed",
+  "the autopilot's failsafe acts",
+  "the flight was terminated",
+  "the autopilot refused",
+  "the autopilot did not answer",
+  "the autopilot accepted, and did nothing",
+  "target, map, plan or autopilot did not come in time",
+  "done",
+  "the order could not be written down",
+  "outside of what may be flown in",
+  "the battery is at its reserve",
+  "nothing is heard from the operator",
+];
+
 const from = (words: string[]) => (index: number): string => words[index] ?? "unknown";
 
 export const trackWord = from(track);
@@ -68,6 +87,7 @@ export const levelWord = from(level);
 export const batteryWord = from(battery);
 export const explainPlan = from(planReason);
 export const explainGate = from(gateReason);
+export const explainEnd = from(missionEnd);
 
 export const Mode = { track: 0, coast: 1, hover: 2, brake: 3, silent: 4 } as const;
 export const Track = { none: 0, tracking: 1, coasting: 2, lost: 3 } as const;
@@ -75,6 +95,7 @@ export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as c
 export const ServiceState = { running: 0, degraded: 1, stopping: 2 } as const;
 /** A lease is renewed by an order every second. */
 export const leaseCommand = 6;
+export const Result = { accepted: 1, pending: 10, acceptedUnwritten: 11 } as const;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;
 
 /** Reasons of the gate say themselves that they refuse. */

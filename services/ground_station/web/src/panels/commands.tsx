@@ -5,8 +5,8 @@ import type { Command } from "../ui/operator.ts";
 import type { Session } from "../ui/session.ts";
 
 const commands: [Command, string][] = [
-  ["start", "Start"], ["hold", "Hold"], ["resume", "Resume"], ["return", "Return"],
-  ["land", "Land"],
+  ["take_off", "Take off"], ["start", "Start"], ["hold", "Hold"], ["resume", "Resume"],
+  ["return", "Return"], ["land", "Land"],
 ];
 
 /** Why the chosen vehicle cannot be commanded from here; "" if it can. */

@@ -6,7 +6,9 @@ import {
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
-import { GateReason, leaseCommand, Mode, PlanState, ServiceState, Track } from "../data/words.ts";
+import {
+  GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track,
+} from "../data/words.ts";
 import { colorOfRgb } from "../ui/palette.ts";
 import { hold, note } from "./alarms.ts";
 import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
@@ -62,6 +64,7 @@ const foldPlan: Fold = (state, vehicle, { message, time_s }) => {
 export function severityOf(safety: SafetyState): Severity {
   const ordered = safety.reason === GateReason.mission || safety.reason === GateReason.none;
   if (safety.mode === Mode.brake) return ordered ? "warning" : "alarm";
+  if (safety.mode === Mode.silent && safety.reason === GateReason.mission) return "info";
   if (safety.mode === Mode.silent) return safety.armed ? "alarm" : "warning";
   if (safety.mode === Mode.track || ordered) return "info";
   return "warning";
@@ -71,6 +74,7 @@ const foldSafety: Fold = (state, vehicle, { message, time_s }) => {
   const safety = message as SafetyState;
   compare(state, vehicle, safety);
   climb(state, vehicle, safety, time_s);
+  hold(state, vehicle.name, "second writer", Boolean(safety.alarm), "alarm", safety.alarm ?? "");
   measureLatency(vehicle, safety, time_s);
 };
 
@@ -116,12 +120,14 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
     note(state, vehicle.name, "info", now.armed ? "armed" : "disarmed");
   if (before.offboard !== now.offboard)
     note(state, vehicle.name, "info", now.offboard ? "in offboard mode" : "left offboard mode");
+  if (now.mission_end && before.mission_end !== now.mission_end)
+    note(state, vehicle.name, "warning", `mission over: ${words.explainEnd(now.mission_end)}`);
   const [from, to] = [before.lease_operator ?? "", now.lease_operator ?? ""];
   if (from !== to)
     note(state, vehicle.name, "info", to ? `${to} has control` : `${from} gave up control`);
   const isNew = before.command_id !== now.command_id || before.command_result !== now.command_result;
-  const refused = now.command_result > 1;
-  if (!isNew || (now.command === leaseCommand && !refused)) return;
+  const refused = now.command_result > Result.accepted && now.command_result < Result.pending;
+  if (!isNew || now.command_result === Result.pending || (now.command === leaseCommand && !refused)) return;
   const order = now.command === undefined ? "command" : words.commandWord(now.command);
   note(state, vehicle.name, refused ? "warning" : "info",
     `${order} of ${now.operator_id || "someone"}: ${words.resultWord(now.command_result)}`);

@@ -2,7 +2,8 @@
 // Who commands, with which token; and the requests to the station.
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 
-export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop";
+export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop" |
+  "take_off";
 export type LeaseAction = "take" | "release" | "hand_over";
 
 const nameKey = "foretrack.operator";

@@ -56,9 +56,11 @@ before(async () => {
   for (const service of onboard) flight.service("uav1", service);
   flight.service("uav1", "simulator", "--scenario", "t_intersection", "--map", "depth",
     "--endless");
-  flight.service("uav2", "onboard", "--no-mapping", ...second);
+  flight.service("uav2", "stages", "--no-mapping", ...second);
+  flight.service("uav2", "safety_gate", ...second);
   flight.service("uav2", "simulator", "--scenario", "open_field", "--map", "known", "--endless",
     ...second);
+  for (const name of ["uav1", "uav2"]) flight.order(name, "start");
   address = await flight.station("--page", resolve("dist"),
     ...(control ? ["--enable-control", "--print-token", "--token-file", "tokens",
       "--audit-file", "audit"] : []));
@@ -172,7 +174,7 @@ test("a killed service is an alarm, the gate says why it left the track, both en
 });
 
 test("a vehicle out of reach dims while the other goes on", async () => {
-  const processes = ["uav2 onboard", "uav2 simulator"];
+  const processes = ["uav2 stages", "uav2 safety_gate", "uav2 simulator"];
   flight.signal("SIGSTOP", ...processes);
   await says('[data-alarm="uav2 silent"]', /nothing heard for \d+ s/);
   await says('[data-vehicle="uav2"] .stale .age', /s old/);

@@ -40,7 +40,12 @@ export class Flight {
 
   service(vehicle: string, service: string, ...more: string[]): void {
     this.start(`${vehicle} ${service}`, service, "--vehicle", vehicle, "--use-sim-time",
-      "--log-level", "error", ...more);
+      "--log-level", "error", "--state-dir", join(this.folder, vehicle), ...more);
+  }
+
+  /** An order from the terminal; whoever follows starts only then. */
+  order(vehicle: string, what: string): void {
+    this.start(`${vehicle} ${what}`, "order", what, "--vehicle", vehicle, "--for", "60");
   }
 
   signal(signal: NodeJS.Signals, ...names: string[]): void {

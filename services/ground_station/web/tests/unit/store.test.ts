@@ -118,6 +118,22 @@ test("what changes in the gate's report is an event", () => {
   assert.ok(said.includes("command of bob: refused: not from this phase"));
 });
 
+test("why a mission ended is told, and a second writer is an alarm while it lasts", () => {
+  const second = "a second writer of rt/a/plan/trajectory";
+  const state = fold([sample("/a/safety/state", 1, safety(1)),
+    sample("/a/safety/state", 1.1, safety(1.1, { phase: 0, mission_end: 1, mode: 4, reason: 9 })),
+    sample("/a/safety/state", 1.2, safety(1.2, { alarm: second }))]);
+  assert.ok(texts(state).includes("mission over: the pilot took over"));
+  assert.equal(alarm(state, "a gate"), undefined);
+  assert.equal(alarm(state, "a second writer")!.text, second);
+});
+
+test("an order that is being written down is not refused", () => {
+  const state = fold([10, 1, 11].map((command_result, i) =>
+    sample("/a/safety/state", i, safety(i, { command_id: 7n, command_result, command: 5 }))));
+  assert.deepEqual(texts(state).filter((text) => /refused|written down/.test(text)), []);
+});
+
 test("who has control is told once, however often the lease is renewed", () => {
   const state = fold(["", "ada", "ada", "ada", "bob", ""].map((lease_operator, i) =>
     sample("/a/safety/state", i, safety(i, { lease_operator, command: 6, command_id: BigInt(i),

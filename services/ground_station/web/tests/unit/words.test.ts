@@ -27,6 +27,7 @@ test("every enumerator of the contract has a word", () => {
     ["foretrack_msgs/SafetyState", "REASON", words.explainGate],
     ["foretrack_msgs/SafetyState", "PHASE", words.phaseWord],
     ["foretrack_msgs/SafetyState", "RESULT", words.resultWord],
+    ["foretrack_msgs/SafetyState", "END", words.explainEnd],
     ["foretrack_msgs/ServiceHealth", "STATE", words.serviceWord],
     ["foretrack_msgs/MissionCommand", "COMMAND", words.commandWord],
     ["px4_msgs/BatteryStatus", "WARNING", words.batteryWord],

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "services/onboard/safety_gate/autopilot_link.hpp"
+
+#include "core/safety/command_of.hpp"
+#include "services/convert/px4.hpp"
+#include "services/convert/px4_command.hpp"
+#include "services/convert/px4_health.hpp"
+
+namespace foretrack {
+namespace {
+
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
+
+constexpr std::size_t kMaxAcks = 8;
+constexpr double kOneWriterSilence_s = 2.0;
+
+}  // namespace
+
+AutopilotLink::AutopilotLink(Service& service, bool dry_run)
+    : service_(service),
+      dry_run_(dry_run),
+      status_reader_(service.node()),
+      flags_reader_(service.node()),
+      ack_reader_(service.node()),
+      sticks_reader_(service.node()),
+      battery_reader_(service.node()),
+      setpoint_(service.node()),
+      heartbeat_(service.node()),
+      command_(service.node()) {
+  status_reader_.pin_writer(kOneWriterSilence_s);
+  Loop& loop = service.loop();
+  loop.on_newest(status_reader_, convert, [this](const AutopilotStatus& status) {
+    status_ = status;
+    status_at_s_ = service_.clock().steady_s();
+  });
+  loop.on_each(flags_reader_, [this](const px4_msgs::msg::FailsafeFlags& flags) {
+    hindrance_ = what_hinders_offboard(flags);
+    silence_alone_ = is_of_our_making(flags);
+  });
+  loop.on_each(ack_reader_, [this](const px4_msgs::msg::VehicleCommandAck& m) { hear_answer(m); });
+  loop.on_each(sticks_reader_, [this](const px4_msgs::msg::ManualControlSetpoint& m) {
+    sticks_moved_ |= sticks_moved(m);
+  });
+  loop.on_newest(battery_reader_, convert, [this](const BatteryState& b) { battery_ = b; });
+}
+
+// Others command the flight controller, too, and their answers come here as well.
+void AutopilotLink::hear_answer(const px4_msgs::msg::VehicleCommandAck& message) {
+  if (asked_ == AutopilotRequest::kNone || !answers(message, command_.sample())) return;
+  if (acks_.size() < kMaxAcks) acks_.push_back({asked_, result_of(message)});
+}
+
+void AutopilotLink::read(GateInput& input) {
+  input.autopilot = status_;
+  // It holds since we were silent: an operator may start again.
+  if (silence_alone_ && status_.mode == FlightMode::kHold) input.autopilot.failsafe = false;
+  input.autopilot.sticks_moved = std::exchange(sticks_moved_, false);
+  input.autopilot_at_s = status_at_s_;
+  if (dry_run_ && status_at_s_ >= 0.0) {
+    input.autopilot = {.stamp_s = status_.stamp_s,
+                       .armed = true,
+                       .offboard = true,
+                       .mode = FlightMode::kOffboard,
+                       .system_id = status_.system_id};
+  }
+  if (battery_) input.battery = &*battery_;
+  if (acks_.empty()) return;
+  ack_ = acks_.front();
+  acks_.pop_front();
+  input.ack = &ack_;
+}
+
+void AutopilotLink::send(const GateResult& result, double stamp_s) {
+  if (dry_run_) return;
+  if (result.heartbeat) {
+    to_heartbeat(stamp_s, heartbeat_.sample());
+    heartbeat_.write();
+  }
+  if (result.setpoint) {
+    to_idl(*result.setpoint, setpoint_.sample());
+    setpoint_.write();
+  }
+  const auto command = command_of(result.request, status_.system_id);
+  if (!command) return;
+  asked_ = result.request;
+  to_idl(*command, stamp_s, command_.sample());
+  command_.write();
+}
+
+}  // namespace foretrack

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that passes between the gate and the flight controller.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "core/safety/gate.hpp"
+#include "px4_msgs/msg/BatteryStatus.h"
+#include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/ManualControlSetpoint.h"
+#include "px4_msgs/msg/OffboardControlMode.h"
+#include "px4_msgs/msg/TrajectorySetpoint.h"
+#include "px4_msgs/msg/VehicleCommand.h"
+#include "px4_msgs/msg/VehicleCommandAck.h"
+#include "px4_msgs/msg/VehicleStatus.h"
+#include "services/common/service.hpp"
+
+namespace foretrack {
+
+class AutopilotLink {
+ public:
+  /// In a dry run nothing is sent, and the flight controller is taken to have let us fly.
+  AutopilotLink(Service& service, bool dry_run);
+
+  /// Fills in what has come since the last call: the status, the answer, the battery.
+  void read(GateInput& input);
+  void send(const GateResult& result, double stamp_s);
+
+  const AutopilotStatus& status() const { return status_; }
+  /// Why it would refuse offboard mode; empty: nothing is known to hinder it.
+  std::string hindrance() const { return status_.offboard ? "" : hindrance_; }
+
+ private:
+  void hear_answer(const px4_msgs::msg::VehicleCommandAck& message);
+
+  Service& service_;
+  bool dry_run_;
+  Reader<topics::Px4VehicleStatus> status_reader_;
+  Reader<topics::Px4FailsafeFlags> flags_reader_;
+  Reader<topics::Px4VehicleCommandAck> ack_reader_;
+  Reader<topics::Px4ManualControlSetpoint> sticks_reader_;
+  Reader<topics::Px4BatteryStatus> battery_reader_;
+  Writer<topics::Px4TrajectorySetpoint> setpoint_;
+  Writer<topics::Px4OffboardControlMode> heartbeat_;
+  Writer<topics::Px4VehicleCommand> command_;
+  AutopilotStatus status_;
+  double status_at_s_ = -1.0;  // by arrival
+  bool sticks_moved_ = false;
+  std::string hindrance_;
+  bool silence_alone_ = false;  // is what its failsafe can act for
+  std::optional<BatteryState> battery_;
+  AutopilotRequest asked_ = AutopilotRequest::kNone;  // by the command that was written last
+  std::deque<AutopilotAck> acks_;
+  AutopilotAck ack_;  // that the gate is shown
+};
+
+}  // namespace foretrack

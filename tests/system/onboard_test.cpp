@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The vehicle's own processes under their supervisor: idle until an order, started again when they
+// end, and what is flown when one of them is paused.
+#include "services/launch/domain.hpp"
+#include "tests/system/program.hpp"
+
+namespace foretrack {
+namespace {
+
+class OnboardProcesses : public ::testing::Test {
+ protected:
+  std::vector<std::string> on_domain(std::vector<std::string> words) const {
+    words.insert(words.end(), {"--domain", std::to_string(domain_.id())});
+    return words;
+  }
+  std::string mode() {
+    Program program(on_domain({"monitor", "--json", "--for", "1.5"}), folder_.path / "monitor");
+    program.wait(20.0);
+    std::istringstream lines(program.output());
+    Json last = Json::object();
+    for (std::string line; std::getline(lines, line);)
+      if (auto json = Json::parse(line, nullptr, false); json.is_object()) last = std::move(json);
+    const auto safety = last.value("safety", Json());
+    return safety.is_object() ? safety.value("mode", "") : "";
+  }
+  bool reaches(const std::string& wanted, double limit_s = 30.0) {
+    return eventually([&] { return mode() == wanted; }, limit_s);
+  }
+  bool order(const std::string& what) {
+    Program program(on_domain({"order", what}), folder_.path / "order");
+    return program.wait(20.0) == 0;
+  }
+  pid_t process(const std::string& name) {
+    const auto pids = processes_with({name, "--domain", std::to_string(domain_.id())});
+    return pids.size() == 1 ? pids[0] : -1;
+  }
+
+  const FreeDomain domain_;
+  Folder folder_;
+  Program simulator_{
+      on_domain({"simulator", "--scenario", "open_field", "--map", "known", "--endless"}),
+      folder_.path / "simulator"};
+  Program onboard_{on_domain({"onboard", "--no-mapping", "--use-sim-time", "--state-dir",
+                              (folder_.path / "state").string()}),
+                   folder_.path / "onboard"};
+};
+
+TEST_F(OnboardProcesses, FlyOnOrderAloneAndAreStartedAgainWhenTheyEnd) {
+  ASSERT_TRUE(reaches("silent")) << onboard_.output();
+  EXPECT_EQ(mode(), "silent") << "it flew without an order";
+  ASSERT_TRUE(order("start"));
+  ASSERT_TRUE(reaches("track")) << onboard_.output();
+  for (const std::string name : {"safety_gate", "stages"}) {
+    const pid_t before = process(name);
+    ASSERT_GT(before, 0) << name;
+    kill(before, SIGKILL);
+    EXPECT_TRUE(eventually(
+        [&] {
+          const pid_t now = process(name);
+          return now > 0 && now != before;
+        },
+        5.0))
+        << name;
+    EXPECT_TRUE(eventually(
+        [&] { return onboard_.output().find(name + " was killed by KILL") != std::string::npos; },
+        5.0))
+        << onboard_.output();
+  }
+  EXPECT_TRUE(eventually([&] { return order("resume") || order("start"); }, 30.0));
+  EXPECT_TRUE(reaches("track")) << onboard_.output();
+  const std::vector<pid_t> children = {process("safety_gate"), process("stages")};
+  onboard_.send(SIGTERM);
+  EXPECT_EQ(onboard_.wait(10.0), 0) << onboard_.output();
+  for (const pid_t child : children) EXPECT_NE(kill(child, 0), 0) << "left behind";
+}
+
+TEST_F(OnboardProcesses, APausedStageIsHoveredOutAndAPausedGateGivesTheVehicleUp) {
+  ASSERT_TRUE(eventually([&] { return order("start"); }, 30.0));
+  ASSERT_TRUE(reaches("track")) << onboard_.output();
+  const pid_t stages = process("stages"), gate = process("safety_gate");
+  kill(stages, SIGSTOP);
+  EXPECT_TRUE(eventually([&] { return mode() != "track"; }, 10.0));
+  kill(stages, SIGCONT);
+  EXPECT_TRUE(reaches("track", 10.0) || (order("start") && reaches("track"))) << onboard_.output();
+  kill(gate, SIGSTOP);
+  EXPECT_TRUE(eventually([&] { return mode() == ""; }, 10.0)) << "nothing is heard of it";
+  kill(gate, SIGCONT);
+  EXPECT_TRUE(reaches("silent")) << "the flight controller holds; nobody asked for it again";
+  EXPECT_TRUE(order("start"));
+  EXPECT_TRUE(reaches("track")) << onboard_.output();
+}
+
+}  // namespace
+}  // namespace foretrack
