@@ -44,12 +44,23 @@ TargetObservation observe(double time_s) {
   return observation;
 }
 
-// Your flight controller and its odometry.
-void fly(VehicleState& vehicle, const Setpoint& setpoint) {
-  vehicle.position_enu_m = setpoint.position_enu_m;
-  vehicle.velocity_enu_m_s = setpoint.velocity_enu_m_s;
-  vehicle.q_world_body = Eigen::AngleAxisd(setpoint.yaw_rad, Vec3::UnitZ());
-}
+// Your flight controller: it hovers, gives its consent when it is asked for, and then flies what it
+// is told. Its odometry is what `vehicle` holds.
+struct FlightController {
+  VehicleState vehicle;
+  AutopilotStatus status{.armed = true, .mode = FlightMode::kHold};
+
+  void obey(const GateResult& gate) {
+    if (gate.request == AutopilotRequest::kOffboard) {
+      status.offboard = true;
+      status.mode = FlightMode::kOffboard;
+    }
+    if (!gate.setpoint) return;
+    vehicle.position_enu_m = gate.setpoint->position_enu_m;
+    vehicle.velocity_enu_m_s = gate.setpoint->velocity_enu_m_s;
+    vehicle.q_world_body = Eigen::AngleAxisd(gate.setpoint->yaw_rad, Vec3::UnitZ());
+  }
+};
 
 }  // namespace
 
@@ -57,28 +68,31 @@ int main() {
   const TrackerParams params;  // or change fields: params.planning.place.distance_low_m = 2.0;
   const GridMap map = make_map();
   TrackerState tracker(params);
-  VehicleState vehicle;
-  vehicle.position_enu_m = Vec3(-2.0, 0.0, 1.5);
+  FlightController controller;
+  controller.vehicle.position_enu_m = Vec3(-2.0, 0.0, 1.5);
   double nearest_m = 1e9, farthest_m = 0.0;
   int setpoints = 0;
   for (int i = 1; i <= 1000; ++i) {
     const double now_s = i * kStep_s;
-    vehicle.stamp_s = now_s;
+    controller.vehicle.stamp_s = controller.status.stamp_s = now_s;
     const TargetObservation observation = observe(now_s);
-    const TrackerOutput out =
-        step(tracker,
-             {.now_s = now_s,
-              .vehicle = vehicle,
-              .autopilot = {.stamp_s = now_s, .armed = true, .offboard = true},
-              .observation = i % kImageSteps == 0 ? &observation : nullptr,
-              .known_map = &map},
-             params);
-    if (out.gate.setpoint) fly(vehicle, *out.gate.setpoint), ++setpoints;
-    const double distance_m = (vehicle.position_enu_m - person_at(now_s)).head<2>().norm();
+    const MissionCommand start{.id = 1, .stamp_s = now_s, .order = MissionOrder::kStart};
+    const TrackerOutput out = step(tracker,
+                                   {.now_s = now_s,
+                                    .vehicle = controller.vehicle,
+                                    .autopilot = controller.status,
+                                    .observation = i % kImageSteps == 0 ? &observation : nullptr,
+                                    .known_map = &map,
+                                    .command = i == 1 ? &start : nullptr},
+                                   params);
+    controller.obey(out.gate);
+    setpoints += out.gate.setpoint ? 1 : 0;
+    const double distance_m =
+        (controller.vehicle.position_enu_m - person_at(now_s)).head<2>().norm();
     nearest_m = std::min(nearest_m, distance_m);
     farthest_m = std::max(farthest_m, distance_m);
   }
   std::printf("%d setpoints in 10 s; %.1f to %.1f m from the person\n", setpoints, nearest_m,
               farthest_m);
-  return setpoints > 900 && nearest_m > 1.0 && farthest_m < 4.0 ? 0 : 1;
+  return setpoints > 800 && nearest_m > 1.0 && farthest_m < 5.0 ? 0 : 1;
 }
