@@ -29,6 +29,7 @@ struct BodyTrack {
   Vec2 velocity_m_s() const { return mean.tail<2>(); }
 };
 
+/// A track of what was seen once.
 BodyTrack begin_track(const BodySighting& seen, double stamp_s, const BodyParams& params);
 
 /// On to a time; no change for one that is past. White acceleration as process noise.
@@ -42,6 +43,7 @@ struct Match {
   double log_determinant = 0.0;
   double cost() const { return mahalanobis2 + log_determinant; }
 };
+/// How well a sighting fits a track, by its likelihood.
 Match match(const BodyTrack& track, const BodySighting& seen, double stamp_s);
 
 /// Not seen for too long. Who was seen but a few times is not believed for long.

@@ -6,6 +6,7 @@
 
 namespace foretrack {
 
+/// What each of them means, and its range, is in its row: see rows(), or `foretrack params bodies`.
 struct BodyParams {
   double acceleration_density_m2_s3 = 1.0;
   double initial_speed_sigma_m_s = 1.5;
@@ -19,6 +20,7 @@ struct BodyParams {
   double followed_radius_m = 0.25;
 };
 
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(BodyParams& p);
 
 }  // namespace foretrack

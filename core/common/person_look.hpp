@@ -13,6 +13,7 @@ namespace foretrack {
 /// proportions of Drillis and Contini 1966).
 inline constexpr double kTorsoShare = 0.674;
 
+/// How somebody looks, as far as it tells people apart.
 struct PersonLook {
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

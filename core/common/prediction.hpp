@@ -18,6 +18,7 @@ inline constexpr int kMaxIntentions = 16;  // that a table, or a message, may ha
 /// nobody else needs to know which there are. Place 0 is what is expected while nothing else shows.
 enum class Intention : std::uint8_t;
 inline constexpr Intention kUnknownIntention{255};  // of a table that is not ours
+/// Its place in arrays over the intentions.
 constexpr int index_of(Intention i) {
   return static_cast<int>(i);
 }
@@ -49,6 +50,7 @@ struct MarginScores {
   double distance = 0.0;  // Π_dec
 };
 
+/// What the target is likely to do: a belief for each intention.
 struct IntentionAssessment {
   double stamp_s = 0.0;
   std::array<IntentionBelief, kMaxIntentions> beliefs{};  // the first `count`
@@ -78,11 +80,13 @@ struct PredictedState {
   Mat2 covariance_m2 = Mat2::Zero();  // horizontal
 };
 
+/// A place on a predicted path, with its covariance.
 struct PathPoint {
   Vec3 position_enu_m = Vec3::Zero();
   Vec3 velocity_enu_m_s = Vec3::Zero();
 };
 
+/// Where the target goes if it has one intention.
 struct PredictedPath {
   Intention intention{};
   double probability = 0.0;
@@ -94,6 +98,7 @@ struct PredictedPath {
   PathPoint at(double time_s) const;
 };
 
+/// Whether the paths may be relied on.
 enum class PredictionStatus : std::uint8_t { kOk, kNoTarget, kTargetBlocked, kSearchExhausted };
 
 /// One path per intention that is possible here, most probable first; probabilities sum to 1.

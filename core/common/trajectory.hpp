@@ -88,6 +88,7 @@ enum class PlanReason : std::uint8_t {
 };
 /// For logs and displays.
 std::string_view to_string(PlanStatus status);
+/// For logs and displays.
 std::string_view to_string(PlanReason reason);
 
 /// What is flown. Time t runs from start_s. The last pieces, from tail_start_s on, are the stop

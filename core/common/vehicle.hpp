@@ -92,6 +92,7 @@ struct AutopilotStatus {
   int system_id = 1;            ///< commands to another one are ignored without a word
 };
 
+/// What kind of thing is asked of a flight controller.
 enum class CommandKind : std::uint8_t { kArm, kDisarm, kMode };
 
 /// What may be asked of a flight controller.

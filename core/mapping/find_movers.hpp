@@ -13,6 +13,7 @@ namespace foretrack {
 
 /// Returns of one image that stand in the open, by column of the map. Its memory is kept.
 struct MoverColumns {
+  /// One column of the image.
   struct Column {
     int count = 0;
     float low_m = 0.0F, high_m = 0.0F;  ///< lowest and highest return

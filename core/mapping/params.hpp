@@ -37,6 +37,7 @@ struct MappingParams {
   double start_reach_m = 1.2;
 };
 
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(MappingParams& p);
 
 }  // namespace foretrack

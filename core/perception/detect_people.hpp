@@ -36,6 +36,7 @@ ImageRegion whole_of(const RgbImage& image);
 /// The square around a body, 1.25 times as large as the body, turned so that the body is upright in
 /// it. `middle_px`: of the body. `end_px`: half a body away from it, towards the head.
 ImageRegion region_of_body(const Vec2& middle_px, const Vec2& end_px);
+/// The square of the image that the pose network looks at for this person.
 ImageRegion region_of_body(const Detection& person);
 
 }  // namespace foretrack

@@ -10,7 +10,7 @@ namespace foretrack {
 /// perception`.
 struct PerceptionParams {
   // Images → landmarks.
-  int model_complexity = 1;  // of the pose network; see PoseModel
+  int model_complexity = 1;
   double min_detection_score = 0.5;
   double min_pose_score = 0.5;
   double detector_period_s = 0.025;
@@ -23,8 +23,8 @@ struct PerceptionParams {
   double doubt_gate = 2.5;
   double change_gate = 5.0;
   // Landmarks → pose of the body in the camera.
-  double target_height_m = 1.75;    // of the person who is followed
-  double landmark_height_m = 1.75;  // that the source of the landmarks assumes (BlazePose: 1.62)
+  double target_height_m = 1.75;
+  double landmark_height_m = 1.75;
   double min_visibility = 0.5;
   int min_landmarks = 8;
   int consensus_samples = 24;
@@ -61,6 +61,7 @@ struct PerceptionParams {
   double reorder_limit_s = 0.5;
 };
 
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(PerceptionParams& p);
 
 }  // namespace foretrack

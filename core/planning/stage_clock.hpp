@@ -7,11 +7,13 @@
 
 namespace foretrack {
 
+/// The stages of a replan that are timed.
 enum class PlanStage { kPath, kVisibleRegions, kCorridor, kOptimization, kCheck };
 inline constexpr int kPlanStageCount = 5;
 inline constexpr std::array<std::string_view, kPlanStageCount> kPlanStageNames = {
     "path", "visible_regions", "corridor", "optimization", "check"};
 
+/// Times the stages of one replan by the caller's clock; without one, everything takes 0.
 class StageClock {
  public:
   explicit StageClock(double (*clock_s)() = nullptr) : clock_s_(clock_s) { lap_s_ = now_s(); }

@@ -10,6 +10,7 @@
 
 namespace foretrack {
 
+/// A state on the way to a path.
 struct SearchNode {
   PlanarState state;
   double cost = 0.0;         // g: Λ summed along the path
@@ -22,11 +23,13 @@ struct SearchNode {
 
 /// Owned by the caller; nothing is allocated once it has grown to the expansion bound.
 struct SearchWorkspace {
+  /// A node that waits to be expanded.
   struct Open {
     double estimate = 0.0;  // f = g + h
     std::int32_t node = 0;
     std::int16_t step = 0;
   };
+  /// The cheapest way so far to a cell of states.
   struct Seen {
     std::uint64_t key = 0;
     double cost = 0.0;
@@ -39,6 +42,7 @@ struct SearchWorkspace {
   std::vector<std::int32_t> path;  // nodes of the last path found, k = 1 … N_p
 };
 
+/// What path is looked for.
 struct SearchRequest {
   PlanarState start;
   double height_m = 0.0;         // at which the map is read
@@ -46,7 +50,9 @@ struct SearchRequest {
   Intention root{};
 };
 
+/// kFound: there is a path. kImpossible: there is none. kExhausted: the bound was reached.
 enum class SearchStatus : std::uint8_t { kFound, kImpossible, kExhausted };
+/// How a search ended.
 struct SearchOutcome {
   SearchStatus status = SearchStatus::kImpossible;
   int expansions = 0;

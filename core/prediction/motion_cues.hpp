@@ -18,6 +18,7 @@ struct MotionMemory {
   WalkHabit habit;
 };
 
+/// What the target's motion so far says of its intention.
 struct MotionCues {
   PlanarState measured;        // as the tracker says
   PlanarState state;           // as the last moments tell

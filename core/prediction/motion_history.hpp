@@ -11,6 +11,7 @@ namespace foretrack {
 
 /// Owned by the caller of predict().
 struct MotionHistory {
+  /// A state of the target and its stamp.
   struct Sample {
     double stamp_s = 0.0;
     PlanarState measured;        // as the tracker says

@@ -6,11 +6,13 @@
 
 namespace foretrack {
 
+/// Where somebody is on the ground plane, and how they move.
 struct PlanarState {
   Vec2 position_m = Vec2::Zero();    // world ENU
   Vec2 velocity_m_s = Vec2::Zero();  // world ENU
 };
 
+/// How somebody moves while one intention lasts.
 struct MotionModel {
   enum class Kind { kConstantVelocity, kCoordinatedTurn, kDeceleration };
   Kind kind = Kind::kConstantVelocity;
@@ -30,6 +32,7 @@ struct MotionJacobian {
   Mat2 position_by_velocity;
   Mat2 velocity_by_velocity;
 };
+/// Of advance(), at the state.
 MotionJacobian jacobian(const MotionModel& model, const PlanarState& state, double dt_s);
 
 }  // namespace foretrack

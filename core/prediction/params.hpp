@@ -13,8 +13,8 @@ struct PredictionParams {
   // Prediction
   double horizon_s = 3.0;
   double step_s = 0.2;
-  bool intention_paths = true;   // a path for each intention; else constant velocity unless blocked
-  bool around_obstacles = true;  // else one straight path, whatever stands in its way
+  bool intention_paths = true;
+  bool around_obstacles = true;
   double path_probability_min = 0.05;
   // Reachable region
   double region_horizon_s = 1.0;
@@ -51,6 +51,7 @@ struct PredictionParams {
   int step_count() const { return static_cast<int>(horizon_s / step_s + 0.5); }
 };
 
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(PredictionParams& params);
 
 }  // namespace foretrack

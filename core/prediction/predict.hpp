@@ -11,6 +11,7 @@
 
 namespace foretrack {
 
+/// What the target is likely to do, and where it then goes.
 struct PredictionResult {
   IntentionAssessment intention;
   Prediction prediction;

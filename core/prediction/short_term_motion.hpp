@@ -43,9 +43,11 @@ const ShortTermWeights& short_term_weights(bool body_known);
 
 /// kOutputs errors of constant velocity from the measured state: along and across the heading.
 using ShortTermErrors = std::array<Vec2, ShortTermWeights::kOutputs>;
+/// What the network says of the features. Cost: some 5000 flops.
 ShortTermErrors short_term_errors(const ShortTermFeatures& features,
                                   const ShortTermWeights& weights);
 
+/// How the target moves now and in a moment, as the network tells it.
 struct ShortTermMotion {
   static constexpr double kSoon_s = 0.2;
   PlanarState now;

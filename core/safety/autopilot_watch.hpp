@@ -21,6 +21,7 @@ enum class AutopilotRequest : std::uint8_t {
   kHold
 };
 
+/// The flight controller's answer to a request.
 struct AutopilotAck {
   AutopilotRequest request = AutopilotRequest::kNone;
   CommandResult result = CommandResult::kAccepted;
@@ -46,8 +47,11 @@ enum class MissionEnd : std::uint8_t {
   kLink,
 };
 
+/// For logs and displays.
 std::string_view to_string(AutopilotRequest request);
+/// For logs and displays.
 std::string_view to_string(CommandResult result);
+/// For logs and displays.
 std::string_view to_string(MissionEnd end);
 
 /// One request that was made, until it is seen to be done. It is never repeated.
@@ -57,13 +61,16 @@ struct Asking {
   bool accepted = false;
 };
 
+/// How far a request is.
 enum class AskState : std::uint8_t { kNothing, kWaits, kDone, kFailed };
 
+/// How long an answer, and then the deed, are waited for.
 struct AskParams {
   double answer_s = 1.5;  // no answer for so long: it is given up
   double done_s = 4.0;    // accepted, but not seen to be done for so long: the same
 };
 
+/// How far a request is, and why it failed.
 struct AskProgress {
   AskState state = AskState::kNothing;
   MissionEnd why = MissionEnd::kNone;  // of kFailed

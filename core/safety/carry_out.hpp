@@ -7,12 +7,14 @@
 
 namespace foretrack {
 
+/// How patient the gate is with the flight controller.
 struct CarryOutParams {
   AskParams ask;
   double heartbeat_before_s = 1.0;  // unbroken, before offboard is asked for
   double patience_s = 30.0;         // for target, map and plan after an order to start
 };
 
+/// What one tick of a phase goes by.
 struct CarryOutInput {
   double now_s = 0.0;
   AutopilotStatus status;
@@ -21,6 +23,7 @@ struct CarryOutInput {
   double heartbeat_since_s = 1e18;  // since when it has been unbroken
 };
 
+/// What was asked of the flight controller since the last order, and what became of it.
 struct CarryOut {
   Asking asking;
   bool asked_arm = false, asked_offboard = false, asked_other = false;  // since the order

@@ -10,6 +10,7 @@ namespace foretrack {
 inline constexpr std::size_t kMaxPlanPieces = 64, kMaxPlanNodes = 512;
 inline constexpr double kMaxPlanDuration_s = 60.0;
 
+/// What a flown trajectory must not exceed.
 struct MotionLimits {
   double speed_m_s = 3.0;
   double acceleration_m_s2 = 5.0;
@@ -32,12 +33,14 @@ struct Joint {
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
   double yaw_rad = 0.0;
 };
+/// How far a plan may be from what it joins.
 struct JointTolerance {
   double position_m = 0.0;
   double velocity_m_s = 0.0;
   double acceleration_m_s2 = 0.0;
   double yaw_rad = 0.0;
 };
+/// Whether the plan goes on from the joint.
 bool joins(const PlannedTrajectory& plan, const Joint& joint, const JointTolerance& tolerance);
 
 }  // namespace foretrack

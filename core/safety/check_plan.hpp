@@ -8,6 +8,7 @@
 
 namespace foretrack {
 
+/// What every plan must keep, whoever made it.
 struct PlanCheckParams {
   MotionLimits limits;
   Clearances clearances;

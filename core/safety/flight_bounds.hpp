@@ -10,6 +10,7 @@ namespace foretrack {
 /// World ENU, metres. As an operator sets it, on top of what the parameters bound.
 struct FlightBounds {
   static constexpr int kMaxCorners = 32;
+  /// A corner of the fence.
   struct Corner {
     double x_m = 0.0, y_m = 0.0;
     bool operator==(const Corner&) const = default;

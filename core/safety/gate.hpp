@@ -42,6 +42,7 @@ struct GateInput {
   MemoryWriting writing;
 };
 
+/// What the gate remembers from tick to tick.
 struct GateState {
   GateState();
 
@@ -72,6 +73,7 @@ struct GateState {
   double begun_s = -1.0;  // the first tick
 };
 
+/// What goes out in one tick, and why.
 struct GateResult {
   SafetyMode mode = SafetyMode::kSilent;
   SafetyReason reason = SafetyReason::kNone;

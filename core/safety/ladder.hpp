@@ -20,6 +20,7 @@ enum class SafetyMode : std::uint8_t {
   kBrake,   // the velocity is taken out, wherever that ends
   kSilent,  // neither setpoints nor heartbeat: the flight controller's own failsafe takes over
 };
+/// Why the gate stands on its rung.
 enum class SafetyReason : std::uint8_t {
   kNone,
   kNoPlanYet,
@@ -42,9 +43,12 @@ enum class SafetyReason : std::uint8_t {
   kLink,    // no word from the operator
   kImages,  // frozen, dark or covered
 };
+/// For logs and displays.
 std::string_view to_string(SafetyMode mode);
+/// For logs and displays.
 std::string_view to_string(SafetyReason reason);
 
+/// A mode and the reason for it.
 struct Rung {
   SafetyMode mode = SafetyMode::kSilent;
   SafetyReason reason = SafetyReason::kNone;

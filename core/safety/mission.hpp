@@ -10,6 +10,7 @@
 
 namespace foretrack {
 
+/// What an operator may order.
 enum class MissionOrder : std::uint8_t {
   kStart,  // follow; asks the flight controller for arming and offboard mode where needed
   kHold,
@@ -23,6 +24,7 @@ enum class MissionOrder : std::uint8_t {
   kSetBounds,
 };
 
+/// An order, with who gave it and when.
 struct MissionCommand {
   std::uint64_t id = 0;  // orders of one stamp: the later has the higher one
   double stamp_s = 0.0;  // when it was given
@@ -55,6 +57,7 @@ enum class MissionPhase : std::uint8_t {
   kTakingOff,
 };
 
+/// What became of an order.
 enum class MissionResult : std::uint8_t {
   kNone,
   kAccepted,
@@ -70,10 +73,14 @@ enum class MissionResult : std::uint8_t {
   kAcceptedUnwritten,  // acts, and would not outlive a restart
 };
 
+/// For logs and displays.
 std::string_view to_string(MissionOrder order);
+/// For logs and displays.
 std::string_view to_string(MissionPhase phase);
+/// For logs and displays.
 std::string_view to_string(MissionResult result);
 
+/// How long orders and leases count.
 struct MissionRules {
   double max_age_s = 1.0;  // older commands are refused
   double future_s = 0.5;   // so are those stamped farther ahead

@@ -8,6 +8,7 @@
 
 namespace foretrack {
 
+/// Why a plan is refused.
 enum class PlanFault : std::uint8_t {
   kNone,
   kTooLarge,      // more pieces or nodes than are flown, or longer
@@ -27,6 +28,7 @@ enum class PlanFault : std::uint8_t {
   kBounds,  // fence or altitudes
 };
 inline constexpr int kPlanFaultCount = 16;
+/// For logs and displays.
 std::string_view to_string(PlanFault fault);
 
 /// How many plans were refused, by reason.

@@ -10,6 +10,7 @@
 
 namespace foretrack {
 
+/// What each of them means, and its range, is in its row: see rows(), or `foretrack params safety`.
 struct SafetyParams {
   // ages, by arrival
   double plan_fresh_s = 0.25;
@@ -80,6 +81,7 @@ struct SafetyParams {
             .reactions = {fence_reaction, altitude_reaction, battery_reaction, link_reaction}};
   }
 };
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(SafetyParams& params);
 
 }  // namespace foretrack

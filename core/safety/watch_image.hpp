@@ -10,7 +10,9 @@
 
 namespace foretrack {
 
+/// Why a camera is held to be blind.
 enum class ImageFault : std::uint8_t { kNone, kFrozen, kDark, kCovered };
+/// For logs and displays.
 std::string_view to_string(ImageFault fault);
 
 /// What little of an image is needed to tell.
@@ -26,6 +28,7 @@ ImageStatistics statistics_of(std::span<const std::uint8_t> values);
 /// Of depths in metres, every 4th; 0, NaN and infinity are none.
 ImageStatistics statistics_of(std::span<const float> depths_m);
 
+/// When images are held to be frozen, dark or covered.
 struct ImageWatchParams {
   double dark = 6.0;             // a mean below this is darkness, of 255
   double flat = 2.0;             // a deviation below this is something before the lens, of 255
@@ -36,6 +39,7 @@ struct ImageWatchParams {
   double frozen_motion_m = 0.3;  // the same image while the vehicle moves so far is a frozen one
 };
 
+/// What was seen of a camera's images so far.
 struct ImageWatch {
   std::uint64_t fingerprint = 0;
   double moved_m = 0.0;  // with this fingerprint
@@ -47,6 +51,7 @@ struct ImageWatch {
 /// metre) since the last one. A scene may well look the same from the same place.
 ImageFault watch_color(ImageWatch& watch, const ImageStatistics& image, double moved_m,
                        double stamp_s, const ImageWatchParams& params);
+/// The same for depth images.
 ImageFault watch_depth(ImageWatch& watch, const ImageStatistics& image, double moved_m,
                        double stamp_s, const ImageWatchParams& params);
 

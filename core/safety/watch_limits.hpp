@@ -10,9 +10,11 @@ namespace foretrack {
 
 /// The gentlest first.
 enum class Reaction : std::uint8_t { kNone, kHold, kReturn, kLand };
+/// Which limit was reached.
 enum class LimitKind : std::uint8_t { kFence, kAltitude, kBattery, kLink };
 inline constexpr int kLimitCount = 4;
 
+/// The limits, and what is done where one is reached.
 struct LimitParams {
   double battery_reserve = 0.15;  // share that is kept; 0: not watched
   double link_timeout_s = 0.0;    // without the operator's heartbeat; 0: none is asked for
@@ -24,6 +26,7 @@ struct LimitParams {
   double battery_rise = 0.03;  // the same of the battery's share
 };
 
+/// What one tick is judged by.
 struct LimitInput {
   double now_s = 0.0;
   Vec3 place_enu_m = Vec3::Zero();
@@ -32,6 +35,7 @@ struct LimitInput {
   double operator_at_s = -1.0;            // last heartbeat; −1: never
 };
 
+/// Since when which limit is reached.
 struct LimitWatch {
   Latch latches[kLimitCount];
   double since_s = -1.0;     // the first tick

@@ -8,8 +8,10 @@
 
 namespace foretrack {
 
+/// Why the odometry is not believed.
 enum class OdometryFault : std::uint8_t { kNone, kJumps, kFrozen, kDisagrees };
 
+/// When odometry is not believed.
 struct OdometryParams {
   double oldest_s = 0.3;       // by its stamp, when it comes
   double future_s = 0.1;       // the same
@@ -19,6 +21,7 @@ struct OdometryParams {
   double settle_s = 1.0;       // without faults, until it is believed again
 };
 
+/// What the odometry has said so far.
 struct OdometryWatch {
   VehicleState state;       // the last one that was believed
   double at_s = -1.0;       // when it came, monotonic; −1: none yet

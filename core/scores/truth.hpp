@@ -10,6 +10,7 @@
 
 namespace foretrack {
 
+/// Where the target really was, and how it moved.
 struct TruthSample {
   Vec2 position_m = Vec2::Zero();
   Vec2 velocity_m_s = Vec2::Zero();
@@ -39,7 +40,9 @@ struct TruthEvent {
   Intention kind = Intention::kTurnLeft;
   double onset_s = 0.0;
 };
+/// The turns of a walk, in order of time.
 std::vector<TruthEvent> turns_of(const Truth& truth);
+/// The stops of a walk, in order of time.
 std::vector<TruthEvent> stops_of(const Truth& truth);
 
 /// To another way, whichever.

@@ -11,6 +11,7 @@
 
 namespace foretrack {
 
+/// Of the simulated flight controller.
 struct AutopilotParams {
   double heartbeat_timeout_s = 1.0;  // longer without a heartbeat: failsafe (COM_OF_LOSS_T)
   double heartbeat_needed_s = 1.0;   // of unbroken heartbeat before offboard is granted
@@ -30,6 +31,7 @@ struct AutopilotInput {
   std::optional<AutopilotCommand> command;
 };
 
+/// The simulated flight controller: its parameters and what it remembers.
 struct Autopilot {
   enum class Manner : std::uint8_t { kObeys, kDenies, kIgnores };
 

@@ -14,6 +14,7 @@ namespace foretrack {
 
 inline constexpr double kPersonRadius_m = 0.25;  // of the upright cylinder that a person is
 
+/// Somebody who is not followed: where they walk, and who is rendered.
 struct BystanderSpec {
   std::string person = "girl";  // who is rendered
   std::vector<Vec2> route_m;    // to its end, and then stands there

@@ -13,6 +13,7 @@ namespace foretrack {
 
 struct Scenario;
 
+/// How somebody comes near.
 enum class EncounterKind : std::uint8_t {
   kHeadOn,       // the followed person walks at the vehicle, or bystanders come along the way
   kTurnBack,     // the followed person turns round, again and again
@@ -24,17 +25,21 @@ enum class EncounterKind : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 7> kEncounterKindNames = {
     "head_on", "turn_back", "stop", "cross_before", "cross_behind", "towards", "group"};
+/// For logs and displays.
 constexpr std::string_view to_string(EncounterKind kind) {
   return kEncounterKindNames[static_cast<std::size_t>(kind)];
 }
 
+/// Where it happens.
 enum class EncounterPlace : std::uint8_t { kOpen, kCorridor, kDeadEnd, kJunction };
 inline constexpr std::array<std::string_view, 4> kEncounterPlaceNames = {"open", "corridor",
                                                                          "dead_end", "junction"};
+/// For logs and displays.
 constexpr std::string_view to_string(EncounterPlace place) {
   return kEncounterPlaceNames[static_cast<std::size_t>(place)];
 }
 
+/// A meeting that is staged: its kind, its place, and who takes part.
 struct Encounter {
   EncounterKind kind = EncounterKind::kHeadOn;
   EncounterPlace place = EncounterPlace::kOpen;  // drawn from the seed

@@ -10,6 +10,7 @@
 
 namespace foretrack {
 
+/// What goes wrong.
 enum class IncidentKind : std::uint8_t {
   kMode,       // a pilot changes the mode
   kSticks,     // a pilot moves the sticks
@@ -32,6 +33,7 @@ constexpr std::string_view to_string(FlightMode mode) {
   return kFlightModeNames[static_cast<std::size_t>(mode)];
 }
 
+/// Something that goes wrong at a given time.
 struct Incident {
   double at_s = 0.0;
   IncidentKind kind = IncidentKind::kSticks;

@@ -13,6 +13,7 @@
 
 namespace foretrack {
 
+/// Of the simulated detector of people.
 struct PeopleDetectorParams {
   CameraModel camera;
   double rate_hz = 10.0;
@@ -24,12 +25,14 @@ struct PeopleDetectorParams {
   double range_max_m = 8.0;
 };
 
+/// The simulated detector's state: noise, and when it looks next.
 struct PeopleDetector {
   PeopleDetectorParams params;
   Random random{1};
   double next_image_s = 0.0;
   std::vector<BodySightings> waiting;  // oldest first
 };
+/// The same seed gives the same noise.
 PeopleDetector make_people_detector(const PeopleDetectorParams& params, std::uint64_t seed);
 
 /// Truth: somebody can be seen of whom at least half of the five body points are in the image, in

@@ -71,6 +71,7 @@ void cast_shadow(std::span<const Corner> posed, double ground_z_m, std::vector<C
 /// Draws a posed person, or their shadow, whose corners are in the camera's frame. Cost: about 1.5
 /// ms for 10 000 triangles.
 void draw(Canvas& canvas, const PersonModel& model, std::span<const Corner> posed);
+/// Draws the outline of the person's shadow on the ground.
 void draw_shadow(Canvas& canvas, const PersonModel& model, std::span<const Corner> shadow,
                  const Texture& ground);
 

@@ -34,6 +34,7 @@ struct Facet {
   const Texture* texture = nullptr;
 };
 
+/// An image that is being drawn.
 struct Canvas {
   CameraModel camera;
   RgbImage color;

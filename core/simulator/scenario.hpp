@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that decides a simulated flight: a plain value, read from YAML by services/config.
+// All that decides a simulated flight: a plain value, read from YAML by services/files/config.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,7 @@
 
 namespace foretrack {
 
+/// Who is followed, and where they walk.
 struct TargetSpec {
   std::vector<Vec2> route_m;      // empty, and no track: a route is generated from the seed
   std::vector<TrackPoint> track;  // a recorded pedestrian; instead of a route
@@ -26,12 +27,15 @@ struct TargetSpec {
   PersonParams person;
 };
 
+/// Whether the map is given, or built from depth images.
 enum class MapSource : std::uint8_t { kKnown, kDepth };
 inline constexpr std::array<std::string_view, 2> kMapSourceNames = {"known", "depth"};
+/// As scenario files have it.
 constexpr std::string_view to_string(MapSource map) {
   return kMapSourceNames[static_cast<std::size_t>(map)];
 }
 
+/// All that decides a simulated flight.
 struct Scenario {
   std::string name = "unnamed";
   World world;  // the shapes given one by one
@@ -47,7 +51,7 @@ struct Scenario {
   DepthCameraParams depth_camera;
   bool depth_images = false;   // rendered also with the known map
   bool color_images = false;   // of the landmark camera, rendered, instead of its landmarks
-  std::string person = "boy";  // who is rendered; services/people has the names
+  std::string person = "boy";  // who is rendered; services/offline/people has the names
   std::vector<BystanderSpec> bystanders;  // not on the known map
   std::optional<Encounter> encounter;     // what was staged, if something was
   MapSource map = MapSource::kKnown;

@@ -11,6 +11,7 @@
 
 namespace foretrack {
 
+/// What the simulated sensors and the flight controller say after a step.
 struct SimulatorOutput {
   double now_s = 0.0;
   VehicleState vehicle;  // truth, which is also the odometry
@@ -28,6 +29,7 @@ struct SimulatorOutput {
   std::span<const Person> bystanders;            // truth; in the state, until the next step
 };
 
+/// A simulated flight at one moment.
 struct SimulatorState {
   Scenario scenario;
   World world;  // what stands there

@@ -39,10 +39,12 @@ struct World {
 /// Distance along the unit direction to the shape: 0 from inside, infinity if the ray misses it.
 /// Exact. Directions that are not of unit length give the distance in their lengths.
 double ray_distance_m(const Box& box, const Vec3& from_enu_m, const Vec3& direction);
+/// The same of a cylinder.
 double ray_distance_m(const Cylinder& cylinder, const Vec3& from_enu_m, const Vec3& direction);
 
 /// Distance from the point to the shape's surface, negative inside. Exact.
 double signed_distance_m(const Box& box, const Vec3& point_enu_m);
+/// The same of a cylinder.
 double signed_distance_m(const Cylinder& cylinder, const Vec3& point_enu_m);
 
 /// Distance along the unit direction to the first shape, at most range_m (range_m: there is none).
@@ -60,6 +62,7 @@ double clearance_m(const World& world, const Vec3& point_enu_m);
 /// Distance on the ground plane from a point, or from a line that somebody walks, to the nearest
 /// shape that begins below height_m; 0 inside or across one; infinity without any.
 double ground_clearance_m(const World& world, const Vec2& point_m, double height_m = 2.0);
+/// The same from a walked line.
 double ground_clearance_m(const World& world, const Vec2& from_m, const Vec2& to_m,
                           double height_m = 2.0);
 

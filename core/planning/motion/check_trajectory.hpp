@@ -8,19 +8,22 @@
 
 namespace foretrack {
 
+/// What a trajectory must keep to be flown.
 struct CheckParams {
-  double vehicle_radius_m = 0.35;            // least distance to occupied or unknown space
-  double escape_reach_m = 1.0;               // how far a way out of too near may go
-  double target_distance_min_m = 0.8;        // horizontal, to the predicted path; 0: not checked
-  double position_tolerance_m = 0.02;        // joints, and the start against what is flown
-  double velocity_tolerance_m_s = 0.05;      // the same
-  double acceleration_tolerance_m_s2 = 0.2;  // the same
-  double yaw_tolerance_rad = 0.02;           // the same, of yaw
-  double yaw_rate_tolerance_rad_s = 0.05;    // the same, of its rate
-  double limit_tolerance = 1.0e-3;           // relative, of every limit
+  double vehicle_radius_m = 0.35;
+  double escape_reach_m = 1.0;
+  double target_distance_min_m = 0.8;
+  double position_tolerance_m = 0.02;
+  double velocity_tolerance_m_s = 0.05;
+  double acceleration_tolerance_m_s2 = 0.2;
+  double yaw_tolerance_rad = 0.02;
+  double yaw_rate_tolerance_rad_s = 0.05;
+  double limit_tolerance = 1.0e-3;
 };
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(CheckParams& params);
 
+/// What a trajectory is checked against.
 struct CheckInputs {
   const GridMap& map;
   BoundaryState flown;                         // what is flown at the trajectory's start_s
@@ -29,6 +32,7 @@ struct CheckInputs {
   double target_stamp_s = 0.0;                 // absolute time of the path's time 0
 };
 
+/// The first fault that was found, if there is one, and where.
 struct CheckResult {
   PlanReason reason = PlanReason::kOk;
   double failed_at_s = 0.0;  // t of the first fault found, after the trajectory's start

@@ -14,6 +14,7 @@ struct FlightLimits {
   double yaw_rate_max_rad_s = 2.0;
   double yaw_acceleration_max_rad_s2 = 6.0;
 };
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(FlightLimits& limits);
 
 /// World ENU.

@@ -7,6 +7,7 @@
 
 namespace foretrack {
 
+/// The state and the time that a new trajectory begins with.
 struct PlanStart {
   double time_s = 0.0;  // absolute; the trajectory's t = 0
   BoundaryState state;

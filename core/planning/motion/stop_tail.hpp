@@ -6,6 +6,7 @@
 
 namespace foretrack {
 
+/// A piece that ends at rest.
 struct StopTail {
   QuinticPiece piece;  // ends with no velocity and no acceleration
   bool within_limits = false;

@@ -8,6 +8,7 @@
 
 namespace foretrack {
 
+/// How fast an angle may change.
 struct AngleLimits {
   double rate_max_rad_s = 2.0;
   double acceleration_max_rad_s2 = 6.0;
@@ -17,6 +18,7 @@ struct AngleLimits {
 
 /// Owned by the caller and reused.
 struct AnglePlanWorkspace {
+  /// One step of the dynamic programme.
   struct Stage {
     double wanted_rad, weight;
     double gain_angle, gain_rate, feedforward;  // acceleration = feedforward − gains · state

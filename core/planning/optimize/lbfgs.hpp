@@ -14,6 +14,7 @@ inline constexpr int kLbfgsMemory = 12;
 /// Storage for kMaxVariables inside: resizing allocates nothing.
 using Variables = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxVariables, 1>;
 
+/// What is minimised: a value and its gradient at a point.
 struct CostFunction {
   virtual ~CostFunction() = default;
   /// The cost at x; writes its gradient (of x's size).
@@ -22,6 +23,7 @@ struct CostFunction {
   virtual void precondition(Variables& direction) const { (void)direction; }
 };
 
+/// When to stop, and how long a memory to keep.
 struct LbfgsParams {
   double relative_decrease = 1.0e-3;  // over kDecreaseWindow iterations, of the cost
   int iterations_max = 60;
@@ -29,12 +31,14 @@ struct LbfgsParams {
   double first_step_max = 0.5;  // of any variable, while nothing is known of the curvature
 };
 
+/// Why it stopped.
 enum class LbfgsStatus {
   kConverged,     // the decrease, the gradient, or what a line search can still gain is negligible
   kCountReached,  // iterations or evaluations used up
   kNotFinite,     // no finite cost at the first guess
 };
 
+/// How a minimisation went.
 struct LbfgsReport {
   LbfgsStatus status = LbfgsStatus::kNotFinite;
   int iterations = 0;
@@ -45,6 +49,7 @@ struct LbfgsReport {
 
 /// Kept between calls for its storage only: results do not depend on earlier calls.
 struct LbfgsState {
+  /// A step and the change of the gradient along it.
   struct Pair {
     Variables step, change;  // s, y
     double curvature = 0.0;  // s·y

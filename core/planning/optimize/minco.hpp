@@ -20,6 +20,7 @@ inline constexpr int kMaxPieces = 40;
 /// Rows: position, velocity, acceleration.
 using Junction = Eigen::Matrix3d;
 
+/// A least-jerk trajectory by its junctions and durations.
 struct Minco {
   int pieces = 0;
   std::array<double, kMaxPieces> durations_s;
@@ -30,6 +31,7 @@ struct Minco {
   std::array<Eigen::Matrix2d, kMaxPieces + 1> pivot_inverses, gains;
 };
 
+/// Sets both ends, for this many pieces; junctions and durations are then to be filled.
 void set_ends(Minco& minco, const BoundaryState& start, const BoundaryState& goal, int pieces);
 
 /// Velocities and accelerations from positions and durations: c = M(q, T). Cost: linear in pieces.
@@ -40,6 +42,7 @@ struct MincoGradient {
   std::array<Junction, kMaxPieces + 1> junctions;
   std::array<double, kMaxPieces> durations;
 };
+/// A gradient of zeros, for this many pieces.
 void set_zero(MincoGradient& gradient, int pieces);
 
 /// ∫‖jerk‖² and its partial derivatives by positions and durations; those by inner velocities and
@@ -50,13 +53,16 @@ double add_jerk_energy(const Minco& minco, MincoGradient& gradient);
 /// system in solve(). Cost: linear in pieces.
 void propagate(const Minco& minco, MincoGradient& gradient);
 
+/// Both ends of a piece in its own time scale.
 ScaledEnds scaled_ends(const Minco& minco, int piece);
+/// The piece as a polynomial.
 QuinticPiece piece_of(const Minco& minco, int piece);
 
 /// Second derivative of ∫‖jerk‖² by the inner positions of one axis at these durations:
 /// (pieces − 1)², symmetric, positive definite. Cost: quadratic in pieces.
 using WaypointMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxPieces, kMaxPieces>;
+/// The second derivative of the jerk's integral by the inner junctions' positions.
 void jerk_hessian(const Minco& minco, WaypointMatrix& hessian);
 
 }  // namespace foretrack

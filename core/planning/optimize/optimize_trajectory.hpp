@@ -30,6 +30,7 @@ struct TargetSample {
   double distance_high_m = 2.5;  // d_u
 };
 
+/// What a trajectory is to satisfy: its ends, its corridor, the target's samples.
 struct OptimizationProblem {
   BoundaryState start;
   BoundaryState goal;
@@ -43,29 +44,33 @@ struct OptimizationProblem {
   FlightLimits limits;
 };
 
+/// Weights of the cost, and bounds of the work.
 struct OptimizerParams {
-  double time_weight = 20.0;              // ρ
-  double corridor_weight = 4.0e6;         // of cubed metres
-  double speed_weight = 4.0e3;            // of cubed (m/s)²
-  double acceleration_weight = 4.0e2;     // of cubed (m/s²)²
-  double visibility_weight = 4.0e5;       // of the cubed cosine, V̂_k
-  double next_visibility_weight = 2.0e5;  // of the cubed cosine, V_{k+1}
-  double distance_weight = 1.0e5;         // of cubed metres
-  double height_weight = 1.0e3;           // of cubed metres
-  double limit_fraction = 0.93;           // the penalties' limits, as a part of the flight limits
-  double corridor_margin_m = 0.03;        // penalties begin this far inside a polytope
-  double relative_decrease = 3.0e-4;      // stop below it
+  double time_weight = 20.0;
+  double corridor_weight = 4.0e6;
+  double speed_weight = 4.0e3;
+  double acceleration_weight = 4.0e2;
+  double visibility_weight = 4.0e5;
+  double next_visibility_weight = 2.0e5;
+  double distance_weight = 1.0e5;
+  double height_weight = 1.0e3;
+  double limit_fraction = 0.93;
+  double corridor_margin_m = 0.03;
+  double relative_decrease = 3.0e-4;
   int iterations_max = 60;
   int evaluations_max = 90;
 };
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(OptimizerParams& params);
 
+/// Whether there is a trajectory.
 enum class OptimizationStatus {
   kConverged,     // the relative decrease fell below the parameter
   kCountReached,  // iterations or evaluations used up; the result is the best found
   kNotFinite,     // the problem has no finite cost at its first guess; no pieces
 };
 
+/// The trajectory, and how much work it was.
 struct OptimizationResult {
   OptimizationStatus status = OptimizationStatus::kNotFinite;
   std::vector<QuinticPiece> pieces;

@@ -11,6 +11,7 @@ namespace foretrack {
 struct Hinge {
   double value, slope;
 };
+/// Zero up to g = 0.
 inline Hinge cubed_hinge(double g) {
   if (g <= 0.0) return {0.0, 0.0};
   return {g * g * g, 3.0 * g * g};
@@ -35,12 +36,14 @@ struct Sector {
   Vec2 bisector = Vec2::UnitX();  // unit
   double cos_half_angle = -1.0;
 };
+/// From the angles of its middle and of its half.
 Sector make_sector(const Vec3& apex_enu_m, double bisector_rad, double half_angle_rad);
 
 /// G_ν = cos θ − (p − z)·ξ / ‖p − z‖, horizontal.
 void add_visibility(const Vec3& p, const Sector& sector, double weight, PointPenalty& sum);
 /// G_dl = d_l − d_xy and G_du = d_xy − d_u; the latter linear from kFarReach_m on.
 inline constexpr double kFarReach_m = 0.2;
+/// G_dl = d_l − d_xy and G_du = d_xy − d_u, horizontal; the latter linear from kFarReach_m on.
 void add_distance_band(const Vec3& p, const Vec3& target, double low_m, double high_m,
                        double weight, PointPenalty& sum);
 /// |p_z − height| − band, linear from kFarReach_m on.
@@ -71,6 +74,7 @@ struct PieceTime {
 };
 /// Moves on to a time that is not before the present one.
 void advance(const Minco& minco, double time_s, PieceTime& at);
+/// p at that time.
 Vec3 position_at(const Minco& minco, const PieceTime& at);
 
 /// Adds what a gradient by p(t_k) means for the junctions and the duration of its piece. Returns

@@ -9,6 +9,7 @@
 
 namespace foretrack {
 
+/// How large the polytopes may grow.
 struct CorridorParams {
   double vehicle_radius_m = 0.3;
   double reach_m = 1.2;   // of the local box beyond the segment, horizontally
@@ -17,6 +18,7 @@ struct CorridorParams {
 
 /// Cells near one segment that the vehicle's centre may not enter. Owned by the caller and reused.
 struct CorridorWorkspace {
+  /// An obstacle's cell near the segment.
   struct Blocked {
     Vec3 center;
     Vec3 nearest;  // point of the cell nearest to the segment

@@ -12,6 +12,7 @@ namespace foretrack {
 /// Nodes of a square window of map columns around the vehicle, stamped with the search that wrote
 /// them so that nothing is cleared between searches. Owned by the caller and reused.
 struct SearchState {
+  /// A cell that was reached.
   struct Node {
     std::uint32_t search = 0;
     std::int32_t parent = -1;
@@ -19,6 +20,7 @@ struct SearchState {
     std::uint8_t clearance_cm = 0;
     bool closed = false;
   };
+  /// A node that waits to be expanded.
   struct Open {
     float estimate_m;
     std::int32_t node;
@@ -41,6 +43,7 @@ struct SearchContext {
   double ring_tolerance_m = 0.2;   // its half width
 };
 
+/// What a waypoint was found for.
 enum class WaypointKind : std::uint8_t {
   kSees,     // on the ring, with free line of sight
   kNearest,  // no such place was found: as near to the ring as known free space goes

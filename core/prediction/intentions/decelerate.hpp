@@ -12,6 +12,7 @@ LogitView decelerate_weights(bool map_known, bool body_known);
 inline constexpr IntentionHead kDecelerateHead{"decelerate", kDecelerateFeatures,
                                                decelerate_weights};
 
+/// Features of how the speed has fallen.
 inline void add_fall_of_speed(FeatureVector& out, const MotionCues& motion) {
   // The share of the speed that is lost; for a corner too, but there the chest turns.
   const double swing = std::abs(motion.body_swing_rad.back());
@@ -27,6 +28,7 @@ inline void add_fall_of_speed(FeatureVector& out, const MotionCues& motion) {
   out.add(std::min(swing, 1.5));
 }
 
+/// The features of slowing down.
 inline void write_decelerate(const FeatureInputs& in, FeatureVector& out) {
   const MotionCues& motion = in.evidence.motion;
   const Surroundings& surroundings = in.evidence.surroundings;

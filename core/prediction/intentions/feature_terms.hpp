@@ -8,9 +8,11 @@
 
 namespace foretrack::intentions {
 
+/// max(x, 0).
 inline double positive(double x) {
   return std::max(x, 0.0);
 }
+/// x².
 inline double square(double x) {
   return x * x;
 }

@@ -52,6 +52,7 @@ class FeatureVector {
   int count_ = 0;
 };
 
+/// What the features of one intention are worked out from.
 struct FeatureInputs {
   const IntentionEvidence& evidence;
   const IntentionBelief& own;  // its potential and observation are known
@@ -90,7 +91,7 @@ struct LogitView {
 /// The fitted part of the model of one intention. Those that are each other's mirror image share
 /// one.
 struct IntentionHead {
-  std::string_view name;  // of its weights: core/prediction/intentions/<name>_weights.cpp
+  std::string_view name;  // of its weights: core/prediction/intentions/NAME_weights.cpp
   int features = 0;       // how many there are
   /// Without a map, or without a body yaw, other weights hold. Empty: not fitted.
   LogitView (*weights)(bool map_known, bool body_known) = nullptr;

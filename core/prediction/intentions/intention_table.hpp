@@ -11,6 +11,7 @@
 
 namespace foretrack {
 
+/// The intentions that are shipped, in the order of their rows.
 enum class Intention : std::uint8_t { kForward, kTurnLeft, kTurnRight, kDecelerate };
 
 /// The row at this place.
@@ -57,6 +58,7 @@ constexpr std::optional<Intention> intention_named(std::string_view name,
   return std::nullopt;
 }
 
+/// The row of an intention.
 constexpr const IntentionRow& row_of(Intention id, IntentionTable table = kIntentions) {
   return table[static_cast<std::size_t>(index_of(id))];
 }

@@ -29,6 +29,7 @@ struct TurnSide {
   }
 };
 
+/// Features of how the target turns now; `sign` is 1 for a turn to the left.
 inline void add_turn_motion(FeatureVector& out, double sign, double observation,
                             const MotionCues& motion) {
   out.add(1.0);
@@ -74,6 +75,7 @@ inline void add_turn_side(FeatureVector& out, const TurnSide& side, const Predic
   }
 }
 
+/// The features of a turn.
 template <int kSign>
 void write_turn(const FeatureInputs& in, FeatureVector& out) {
   const MotionCues& motion = in.evidence.motion;
