@@ -36,6 +36,12 @@ PathPoint sample(const PredictedPath& path, double time_s) {
 
 }  // namespace
 
+Vec3 position_on(const PredictedPath& path, double time_s) {
+  Vec3 position, velocity;
+  sample(path, time_s, position, velocity);
+  return position;
+}
+
 Vec3 ExpectedPath::position(double t_s, double step_s) const {
   const auto last = positions_enu_m.size() - 1;
   const double steps = std::max(t_s / step_s - 1.0, 0.0);
@@ -57,7 +63,10 @@ int ExpectedTarget::owner(int i, std::size_t k, double near_m) const {
 void update_belief(TargetBelief& belief, const TargetState& target, const Prediction* prediction,
                    const HorizonParams& params) {
   belief.count = 0;
-  if (prediction != nullptr && prediction->status == PredictionStatus::kOk) {
+  const bool usable =
+      prediction != nullptr && (prediction->status == PredictionStatus::kOk ||
+                                prediction->status == PredictionStatus::kSearchExhausted);
+  if (usable) {
     belief.stamp_s = prediction->stamp_s;
     for (const PredictedPath& path : prediction->paths) {
       if (belief.count == kMaxIntentions) break;
