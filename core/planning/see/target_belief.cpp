@@ -37,9 +37,7 @@ PathPoint sample(const PredictedPath& path, double time_s) {
 }  // namespace
 
 Vec3 position_on(const PredictedPath& path, double time_s) {
-  Vec3 position, velocity;
-  sample(path, time_s, position, velocity);
-  return position;
+  return sample(path, time_s).position_enu_m;
 }
 
 Vec3 ExpectedPath::position(double t_s, double step_s) const {

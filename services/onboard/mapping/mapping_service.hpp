@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/common/target.hpp"
 #include "core/mapping/update_map.hpp"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetState.h"
