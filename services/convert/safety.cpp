@@ -127,6 +127,8 @@ std::string text_of(const GateReport& in) {
   text += ')';
   if (r.asked != AutopilotRequest::kNone && r.answer != CommandResult::kAccepted)
     text += fmt::format("; {}: {}", to_string(r.asked), to_string(r.answer));
+  if (r.refusal != PlanFault::kNone)
+    text += fmt::format("; the last plan: {}", to_string(r.refusal));
   if (!in.hindrance.empty()) text += "; the autopilot would refuse: " + in.hindrance;
   if (!in.alarm.empty()) text += "; " + in.alarm;
   return text;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/inputs.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace foretrack {
@@ -17,9 +16,8 @@ VehicleInput::VehicleInput(Service& service, std::function<void()> changed)
       reader_, [](const nav_msgs::msg::Odometry& message) { return from_idl(message); },
       [this, &service, changed = std::move(changed)](const VehicleState& state) {
         add(state);
-        const Clock& clock = service.clock();
-        if (newest()->stamp_s == state.stamp_s)
-          measured_s_ = clock.steady_s() - std::max(clock.now_s() - state.stamp_s, 0.0);
+        last_ = state;
+        arrived_s_ = service.clock().steady_s();
         if (changed) changed();
       });
 }

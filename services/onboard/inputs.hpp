@@ -20,10 +20,10 @@ class VehicleInput {
   const VehicleHistory& history() const { return history_; }
   /// Null: none came yet.
   const VehicleState* newest() const { return history_.newest(); }
-  /// When the newest state was measured, on the steady clock (simulated, if time is): its arrival
-  /// less its age by its stamp then, so that a clock that is set later changes nothing. −1: none
-  /// yet.
-  double measured_s() const { return measured_s_; }
+  /// The last that came, whatever its stamp says, and when on the steady clock (simulated, if time
+  /// is); −1: none yet. Who judges stamps for himself reads these.
+  const VehicleState& last() const { return last_; }
+  double arrived_s() const { return arrived_s_; }
   /// See ReaderCore.
   void pin_writer(double silence_s) { reader_.pin_writer(silence_s); }
   const EndpointStats& stats() const { return reader_.stats(); }
@@ -35,7 +35,8 @@ class VehicleInput {
 
   Reader<topics::Odometry> reader_;
   VehicleHistory history_;
-  double measured_s_ = -1.0;
+  VehicleState last_;
+  double arrived_s_ = -1.0;
 };
 
 }  // namespace foretrack

@@ -91,8 +91,8 @@ void SafetyGateService::tick() {
   in.now_s = now_s;
   in.stamp_now_s = service_.clock().now_s();
   autopilot_.read(in);
-  if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
-  in.vehicle_at_s = vehicle_.measured_s();
+  in.vehicle = vehicle_.last();
+  in.vehicle_at_s = vehicle_.arrived_s();
   if (plan_) in.plan = &*plan_;
   if (map_) in.map = &*map_;
   in.map_at_s = map_at_s_;
@@ -141,7 +141,7 @@ void SafetyGateService::publish(const GateResult& result) {
   report.caused_by_s = flies ? state_.flown.stamp_s : 0.0;
   report.result = result;
   report.autopilot = autopilot_.status();
-  report.odometry_age_s = vehicle_.newest() ? now_s_ - vehicle_.measured_s() : -1.0;
+  report.odometry_age_s = vehicle_.arrived_s() < 0.0 ? -1.0 : now_s_ - vehicle_.arrived_s();
   report.order = state_.order.last.order;
   report.operator_name = state_.order.last.operator_name.view();
   report.lease_operator = held ? lease.operator_name.view() : "";
