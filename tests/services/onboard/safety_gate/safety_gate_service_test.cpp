@@ -28,6 +28,7 @@ class SafetyGateOnDds : public ::testing::Test {
 
   void start_gate(bool dry_run = false, const std::string& state = "") {
     gate_.reset();
+    report_reader_.take_each([](const auto&) {});  // the last words of the one before
     const std::string folder = state.empty() ? folder_.path.string() : state;
     gate_.emplace([=](ServiceOptions options, Stop& stop) {
       options.state_folder = folder;
@@ -35,6 +36,7 @@ class SafetyGateOnDds : public ::testing::Test {
       run_safety_gate(options, SafetyParams{}, stop);
     });
     report_ = {};
+    reports_ = 0;
   }
 
   // One step of the flight controller, with what the gate sent since the last one.
@@ -302,12 +304,15 @@ TEST_F(SafetyGateOnDds, ObeysTheLeasesHolderAloneAlthoughAllReadTheTopic) {
   const auto overheard = order_.sample();  // as an intruder has it, who writes another order
   EXPECT_TRUE(until([&] {
     order_.sample() = overheard;
+    order_.sample().header().stamp(neighbours_.node().clock().now());
     order_.sample().id(++order_id_);
     order_.sample().command(static_cast<std::uint8_t>(MissionOrder::kStart));
     order_.write();
     return report_.result.command_result == MissionResult::kRefusedUnproved;
   }));
+  EXPECT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
   EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kRefusedForeign, &bob));
+  EXPECT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
   EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kRefusedForeign));
   EXPECT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
   EXPECT_TRUE(ordered(MissionOrder::kStart, MissionResult::kAccepted, &ada));
