@@ -36,9 +36,14 @@ Detection decode(const float* numbers, const Vec2& anchor, double score,
   const auto pair = [&](int k) -> Vec2 { return Vec2(numbers[k], numbers[k + 1]) / kDetectorSide; };
   Detection d;
   d.score = score;
-  const Vec2 middle = anchor + pair(0), half = 0.5 * pair(2);
-  d.box_min_px = window.image_px(middle - half);
-  d.box_max_px = window.image_px(middle + half);
+  // In a turned window the box in the image is around its four corners.
+  const Vec2 middle = anchor + pair(0), half = 0.5 * pair(2).cwiseMax(0.0);
+  d.box_min_px = d.box_max_px = window.image_px(middle - half);
+  for (const Vec2& side : {Vec2(1.0, 1.0), Vec2(1.0, -1.0), Vec2(-1.0, 1.0)}) {
+    const Vec2 corner = window.image_px(middle + side.cwiseProduct(half));
+    d.box_min_px = d.box_min_px.cwiseMin(corner);
+    d.box_max_px = d.box_max_px.cwiseMax(corner);
+  }
   for (int k = 0; k < 4; ++k) d.points_px[k] = window.image_px(anchor + pair(4 + 2 * k));
   return d;
 }

@@ -81,10 +81,14 @@ TEST(DetectPeople, TheMostCertainIsFirstAndTheUncertainAreNobody) {
 TEST(DetectPeople, PointsOfATurnedWindowAreInTheImage) {
   testing::FakePoseNetwork fake;
   fake.see({0.5, 0.25}, 0.1, 3.0);
-  const ImageRegion window{{100.0, 100.0}, 80.0, kPi / 2.0};
-  const auto people = detect_people(grey_image(400, 400), window, *fake.detector, 0.5);
-  ASSERT_EQ(people.size(), 1u);
-  EXPECT_LT((people[0].torso_px() - Vec2(120.0, 100.0)).norm(), 0.01);
+  for (const double angle_rad : {kPi / 2.0, kPi, -kPi / 4.0}) {
+    const ImageRegion window{{100.0, 100.0}, 80.0, angle_rad};
+    const auto people = detect_people(grey_image(400, 400), window, *fake.detector, 0.5);
+    ASSERT_EQ(people.size(), 1u) << angle_rad;
+    const Vec2 torso = Vec2(100.0, 100.0) + Eigen::Rotation2Dd(angle_rad) * Vec2(0.0, -20.0);
+    EXPECT_LT((people[0].torso_px() - torso).norm(), 0.01) << angle_rad;
+    EXPECT_TRUE((people[0].box_min_px.array() < people[0].box_max_px.array()).all());
+  }
 }
 
 TEST(DetectPeople, ABoxWithoutAreaIsNobody) {
