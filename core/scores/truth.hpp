@@ -28,21 +28,28 @@ struct Truth {
   const TruthSample& at(double time_s) const { return samples[steps(time_s)]; }
 };
 
-/// Of the second after samples[i]: a turn if the heading changes by more than 30° while faster than
-/// 0.3 m/s, else deceleration if the speed halves (a turn, if one follows within another second:
-/// who slows down for a corner does not mean to stop), else forward. None for who stands, or where
-/// the second is not known.
+/// What the target meant at samples[i], by the second that follows. The first that holds counts:
+///
+/// - A turn, if the heading changes by more than 30° while the target is faster than 0.3 m/s.
+/// - If the speed halves: a turn, if one follows within another second; else deceleration. Who
+/// slows
+///   down for a corner does not mean to stop.
+/// - Forward.
+///
+/// None: the target stands (slower than 0.3 m/s), or the second is not known. Cost: linear in the
+/// samples of a second.
 std::optional<Intention> label_at(const Truth& truth, int i);
 
-/// A turn of more than 30° within a second begins where the heading leaves the old one by 5°; a
-/// stop, which halves the speed within a second without a turn, where 5 % of the speed are gone.
+/// A turn or a stop that really happened, and when it began. A turn changes the heading by more
+/// than 30° within a second; it begins where the heading has left the old one by 5°. A stop halves
+/// the speed within a second without a turn; it begins where 5 % of the speed are gone.
 struct TruthEvent {
   Intention kind = Intention::kTurnLeft;
-  double onset_s = 0.0;
+  double onset_s = 0.0;  ///< on the clock of the truth
 };
-/// The turns of a walk, in order of time.
+/// The turns of a walk, in order of time; each is found once.
 std::vector<TruthEvent> turns_of(const Truth& truth);
-/// The stops of a walk, in order of time.
+/// The stops of a walk, in order of time; each is found once.
 std::vector<TruthEvent> stops_of(const Truth& truth);
 
 /// To another way, whichever.
@@ -50,7 +57,9 @@ constexpr bool is_turn(Intention i) {
   return i == Intention::kTurnLeft || i == Intention::kTurnRight;
 }
 
-/// True if the next three seconds keep the heading within 15° and the speed above 70 %.
+/// True if in the three seconds after samples[i] the heading stays within 15° of what it is there,
+/// and the speed above 70 % of it. False where the target stands or the three seconds are not
+/// known.
 bool goes_straight(const Truth& truth, int i);
 
 }  // namespace foretrack

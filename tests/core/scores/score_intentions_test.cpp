@@ -31,37 +31,6 @@ IntentionScorer score(const Truth& truth, const std::vector<Saying>& sayings) {
   return scorer;
 }
 
-TEST(Truth, LabelsAreThoseOfTheNextSecond) {
-  const Truth turn = left_turn(10.0, 4.0), stop = sudden_stop(10.0, 4.0);
-  const auto label = [](const Truth& truth, double t) { return label_at(truth, truth.steps(t)); };
-  EXPECT_EQ(label(turn, 2.5), Intention::kForward);
-  EXPECT_EQ(label(turn, 3.5), Intention::kTurnLeft);
-  EXPECT_EQ(label(turn, 6.0), Intention::kForward);
-  EXPECT_EQ(label(stop, 3.5), Intention::kDecelerate);
-  EXPECT_EQ(label(stop, 6.0), std::nullopt) << "who stands has none";
-  EXPECT_EQ(label(turn, 9.5), std::nullopt) << "the future is not known";
-}
-
-TEST(Truth, WhoSlowsDownForACornerTurns) {
-  const Truth corner = walk(10.0, [](double t) -> Vec2 {
-    const double speed = t < 4.0 ? 1.5 : std::max(0.5, 1.5 - 3.0 * (t - 4.0));
-    return speed * direction_of(rad(180.0) * std::clamp(t - 4.6, 0.0, 0.5));
-  });
-  EXPECT_EQ(label_at(corner, corner.steps(3.5)), Intention::kTurnLeft);
-  EXPECT_TRUE(stops_of(corner).empty());
-}
-
-TEST(Truth, FindsEachTurnAndStopOnceWhereItBegins) {
-  const auto turns = turns_of(left_turn(10.0, 4.0));
-  ASSERT_EQ(turns.size(), 1u);
-  EXPECT_EQ(turns[0].kind, Intention::kTurnLeft);
-  EXPECT_NEAR(turns[0].onset_s, 4.0 + 5.0 / 180.0, 0.021);
-  EXPECT_TRUE(stops_of(left_turn(10.0, 4.0)).empty());
-  const auto stops = stops_of(sudden_stop(10.0, 4.0));
-  ASSERT_EQ(stops.size(), 1u);
-  EXPECT_NEAR(stops[0].onset_s, 4.0 + 0.05 * 1.5 / 3.0, 0.021);
-}
-
 TEST(IntentionScorer, LeadCountsFromTheEndOfTheHoldAndOtherAnnouncementsAreFalse) {
   const Truth truth = left_turn(12.0, 4.0);
   const double onset_s = turns_of(truth)[0].onset_s;
