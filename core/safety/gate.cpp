@@ -123,7 +123,7 @@ void write_memory(GateState& s, const GateInput& in, GateResult& r) {
 }
 
 // Odometry, images and limits. A limit may end the mission.
-void watch(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder) {
+void watch_inputs(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder) {
   const double dt_s = s.ticked_s < 0.0 ? 0.0 : in.now_s - s.ticked_s;
   ladder.odometry = watch_odometry(s.odometry, s.commanded_enu_m_s, dt_s, in.now_s, p.odometry());
   ladder.autopilot_lost = !is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s);
@@ -208,7 +208,8 @@ void latch_hover(GateState& s, const Rung& rung, const SafetyParams& p) {
   }
 }
 
-void command(GateState& s, const GateInput& in, Rung rung, const SafetyParams& p, GateResult& r) {
+void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyParams& p,
+                   GateResult& r) {
   // Not yet at rest, and nothing says where to hold: take the speed out first.
   latch_hover(s, rung, p);
   if (rung.mode == SafetyMode::kHover && !s.hover_enu_m) rung.mode = SafetyMode::kBrake;
@@ -226,7 +227,7 @@ void command(GateState& s, const GateInput& in, Rung rung, const SafetyParams& p
   r.reason = rung.reason;
 }
 
-void report(const GateState& s, const GateInput& in, GateResult& r) {
+void fill_report(const GateState& s, const GateInput& in, GateResult& r) {
   r.phase = s.mission.phase;
   r.end = s.carrying.end;
   r.asked = s.carrying.asked;
@@ -254,14 +255,14 @@ GateResult gate(GateState& state, const GateInput& in, const SafetyParams& param
   take_odometry(state.odometry, in.vehicle, in.vehicle_at_s, {in.now_s, in.stamp_now_s},
                 params.odometry());
   take_plan(state, in, params);
-  watch(state, in, params, ladder);
+  watch_inputs(state, in, params, ladder);
   react(state, in, ladder.limit);
   conduct(state, in, params, r);
   look_at_plan(state, in, params, ladder, r);
-  command(state, in, choose_rung(ladder), params, r);
+  give_setpoint(state, in, choose_rung(ladder), params, r);
   write_memory(state, in, r);
   r.limit = ladder.limit;
-  report(state, in, r);
+  fill_report(state, in, r);
   state.ticked_s = in.now_s;
   return r;
 }
