@@ -104,6 +104,13 @@ Request Step::stand() {
     const bool late_answer = why == MissionEnd::kOtherMode && s.by_itself;
     return why == MissionEnd::kNone || late_answer ? Request::kNone : end(why);
   }
+  if (!in.status.armed && mission.phase == MissionPhase::kHolding)
+    return end(MissionEnd::kDisarmed);
+  if (s.offboard_may_come && taken_over(in.status) == MissionEnd::kNone) {
+    mission.engaged = true;
+    s.offboard_may_come = false;
+    return Request::kNone;
+  }
   const AskProgress asked = progress();
   if (asked.state == AskState::kFailed) s.end = asked.why;
   if (asked.state == AskState::kDone) s.delegated = true;
@@ -126,6 +133,7 @@ void begin_phase(CarryOut& state, double now_s, const AutopilotStatus& status) {
   state.since_s = now_s;
   state.mode_at_order = status.mode;
   state.by_itself = before.by_itself;
+  state.offboard_may_come = before.asking.request == Request::kOffboard;
   state.asked = before.asked;
   state.answer = before.answer;
 }
@@ -157,7 +165,7 @@ void end_mission(CarryOut& state, Mission& mission, MissionEnd why) {
   mission.engaged = false;
   if (mission.phase != MissionPhase::kStopped) mission.phase = MissionPhase::kIdle;
   state.asking = {};
-  state.by_itself = false;
+  state.by_itself = state.offboard_may_come = false;
   state.end = why;
 }
 

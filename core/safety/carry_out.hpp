@@ -29,7 +29,8 @@ struct CarryOut {
   bool asked_arm = false, asked_offboard = false, asked_other = false;  // since the order
   bool delegated = false;  // the flight controller does what it was asked for
   bool by_itself = false;  // and has flown by itself at our request ever since it had the vehicle
-  double since_s = 0.0;    // the order
+  bool offboard_may_come = false;  // it was asked for just before the order
+  double since_s = 0.0;            // the order
   FlightMode mode_at_order = FlightMode::kUnknown;
   MissionEnd end = MissionEnd::kNone;                // of the last mission, until the next order
   AutopilotRequest asked = AutopilotRequest::kNone;  // the last request

@@ -131,6 +131,7 @@ void watch_inputs(GateState& s, const GateInput& in, const SafetyParams& p, Ladd
   ladder.vehicle_stale = s.vehicle_latch.update(
       !is_known(s.odometry.at_s, in.now_s, p.vehicle_stale_s), in.now_s, 0.0, p.recover_s);
   ladder.images_blind = s.image_latch.update(in.images_blind, in.now_s, 0.0, p.recover_s);
+  if (ladder.vehicle_lost) return;
   const GateSurroundings around = surroundings_of(s, in, p);
   ladder.limit = watch_limits(s.limits,
                               {.now_s = in.now_s,
@@ -147,6 +148,9 @@ void react(GateState& s, const GateInput& in, const LimitVerdict& limit) {
   s.mission.phase =
       limit.reaction == Reaction::kReturn ? MissionPhase::kReturning : MissionPhase::kLanding;
   begin_phase(s.carrying, in.now_s, in.autopilot);
+  s.carrying.end = limit.kind == LimitKind::kBattery ? MissionEnd::kBattery
+                   : limit.kind == LimitKind::kLink  ? MissionEnd::kLink
+                                                     : MissionEnd::kFence;
 }
 
 void look_at_plan(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder,

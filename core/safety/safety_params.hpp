@@ -20,7 +20,7 @@ struct SafetyParams {
   double autopilot_stale_s = 2.0;
   double map_stale_s = 2.0;
   double bodies_stale_s = 1.0;
-  double recover_s = 0.3;
+  double recover_s = 0.5;
   // odometry
   double odometry_jump_m = 0.5;
   double odometry_drift_m = 0.5;

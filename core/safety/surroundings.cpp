@@ -8,6 +8,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kLook_s = 0.02;
+constexpr double kLeave_m = 1.0;    // within which what begins too near has left
 constexpr double kInward_m = 0.05;  // by which numbers may make a place seem farther outside
 
 double distance_to_edge_m(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -66,12 +67,13 @@ double time_at_obstacle(const Course& course, const GridMap& map, double obstacl
                         double acceleration_m_s2, double until_s) {
   const double step_m = 0.25 * map.resolution_m, diagonal_m = 1.7321 * map.resolution_m;
   const double end_s = std::min(until_s, course.duration_s());
-  const double start_m = map.unfree_distance_m(course.position(0.0));
+  const Vec3 start = course.position(0.0);
+  const double start_m = map.unfree_distance_m(start);
   bool leaving = start_m < obstacle_m;
   for (double t_s = 0.0;;) {
     const Vec3 p = course.position(t_s);
     const double clear_m = map.unfree_distance_m(p);
-    leaving = leaving && clear_m < obstacle_m;
+    leaving = leaving && clear_m < obstacle_m && (p - start).norm() <= kLeave_m;
     const double least_m = leaving ? start_m - 0.5 * map.resolution_m : obstacle_m;
     const bool enters = start_m > 0.0 && clear_m <= 0.0;
     if (clear_m < least_m || enters) return t_s;

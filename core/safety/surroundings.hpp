@@ -50,7 +50,8 @@ class Course {
 
 /// The first time at which it leads too near an obstacle, into the unknown or out of the map; −1:
 /// never in its first `until_s`. Looked at so closely that it moves no further than a quarter of a
-/// cell between two looks, or than its clearance. A begin that is too near is left, no nearer.
+/// cell between two looks, or than its clearance. A begin that is too near is left within a
+/// metre, no nearer.
 double time_at_obstacle(const Course& course, const GridMap& map, double obstacle_m,
                         double acceleration_m_s2, double until_s);
 

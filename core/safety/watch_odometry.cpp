@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSameClock_s = 0.1;  // by which the way of a message may vary
 constexpr double kForget_s = 1.0;     // of the drift
-constexpr double kMoves_m = 0.1;
+constexpr double kMoves_m = 0.1, kStirs_m = 1e-3;
 
 bool is_finite(const VehicleState& s) {
   return std::isfinite(s.stamp_s) && s.position_enu_m.allFinite() &&
@@ -46,7 +46,9 @@ void compare(OdometryWatch& watch, const VehicleState& state, double at_s,
     watch.fault = OdometryFault::kJumps;
   else if (watch.drift_m.norm() > p.drift_m && watch.fault == OdometryFault::kNone)
     watch.fault = OdometryFault::kDisagrees;
-  if ((state.position_enu_m - watch.moved_from_m).norm() > kMoves_m) {
+  // While it brakes, a living odometry is told by its noise alone.
+  const double moves_m = watch.fault == OdometryFault::kFrozen ? kStirs_m : kMoves_m;
+  if ((state.position_enu_m - watch.moved_from_m).norm() > moves_m) {
     watch.moved_from_m = state.position_enu_m;
     watch.commanded_m = 0.0;
   }
@@ -69,10 +71,15 @@ void take_odometry(OdometryWatch& watch, const VehicleState& state, double at_s,
 
 OdometryFault watch_odometry(OdometryWatch& watch, const Vec3& commanded_enu_m_s, double dt_s,
                              double now_s, const OdometryParams& params) {
+  if (watch.commanded_m == 0.0) watch.still_since_s = now_s;
   watch.commanded_m += dt_s * commanded_enu_m_s.norm();
-  const bool frozen = watch.commanded_m > params.frozen_path_m;
+  const bool frozen =
+      watch.commanded_m > params.frozen_path_m && now_s - watch.still_since_s > params.frozen_s;
   const bool drifts = watch.drift_m.norm() > params.drift_m;
-  if (frozen) watch.fault = OdometryFault::kFrozen;
+  if (frozen && watch.fault != OdometryFault::kFrozen) {
+    watch.fault = OdometryFault::kFrozen;
+    watch.moved_from_m = watch.state.position_enu_m;
+  }
   if (!watch.latch.update(frozen || drifts, now_s, 0.0, params.settle_s))
     watch.fault = OdometryFault::kNone;
   return watch.fault;

@@ -18,6 +18,7 @@ struct OdometryParams {
   double jump_m = 0.5;         // from one state to the next, beyond what its velocity tells
   double drift_m = 0.5;        // the same, summed up over about a second
   double frozen_path_m = 0.6;  // it stands still while so much motion is commanded
+  double frozen_s = 0.5;       // for so long, since a vehicle begins to move slowly
   double settle_s = 1.0;       // without faults, until it is believed again
 };
 
@@ -28,6 +29,7 @@ struct OdometryWatch {
   double seen_at_s = -1.0;  // when the last one came, believed or not
   Vec3 drift_m = Vec3::Zero();
   Vec3 moved_from_m = Vec3::Zero();            // where it was seen to move last
+  double still_since_s = 0.0;                  // and since when more was commanded
   double commanded_m = 0.0;                    // path since then
   OdometryFault fault = OdometryFault::kNone;  // until it has settled
   Latch latch;

@@ -477,6 +477,33 @@ TEST(Takeover, ResumeUnderOffboardFliesOnAndElseAsksOnce) {
   EXPECT_EQ(loop.autopilot.total(), 1);
 }
 
+TEST(Takeover, OffboardThatComesAfterTheStopBrakesAndHolds) {
+  FlightLoop loop;
+  loop.autopilot.deaf = true;
+  loop.order(MissionOrder::kStart);
+  while (loop.autopilot.total() == 0) loop.run_with_plans(kTick_s);
+  loop.order(MissionOrder::kStop);
+  loop.autopilot.enter(FlightMode::kOffboard);
+  loop.run_with_plans(1.0);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kStopped);
+  EXPECT_EQ(loop.result.mode, SafetyMode::kHover);
+  EXPECT_TRUE(loop.result.heartbeat);
+  EXPECT_EQ(loop.autopilot.total(), 1);
+}
+
+TEST(Takeover, AHoldThatLandsAllTheSameIsIdleOnTheGround) {
+  FlightLoop loop;
+  loop.take_off_and_track();
+  loop.order(MissionOrder::kReturn);
+  loop.run(1.0);
+  loop.autopilot.answer = CommandResult::kDenied;
+  loop.order(MissionOrder::kHold);
+  loop.run(1.0);
+  loop.autopilot.status.armed = false;
+  EXPECT_EQ(loop.run(1.0).phase, MissionPhase::kIdle);
+  EXPECT_EQ(loop.result.end, MissionEnd::kDisarmed);
+}
+
 TEST(Takeover, WorksWithAFlightControllerThatDoesNotNameItsModes) {
   FlightLoop loop;
   loop.take_off_and_track();

@@ -33,7 +33,7 @@ TEST(WatchLimits, OutsideOfTheFenceItHoldsUntilItIsWellInsideAgain) {
   EXPECT_EQ(loop.run_with_plans(1.0).mode, SafetyMode::kTrack);
   for (double x_m = 0.1; x_m < 2.15; x_m += 0.1) {  // pushed by the wind
     loop.displaced = Vec3(x_m, 0, 1.5);
-    loop.run_with_plans(0.2);
+    loop.run_with_plans(0.4);
   }
   loop.run_with_plans(1.0);
   EXPECT_EQ(loop.result.mode, SafetyMode::kHover);
@@ -52,7 +52,7 @@ TEST(WatchLimits, AtTheFencesEdgeItDoesNotFlicker) {
   loop.state.mission.bounds = fence();
   for (double x_m = 0.1; x_m < 2.0; x_m += 0.1) {
     loop.displaced = Vec3(x_m, 0, 1.5);
-    loop.run_with_plans(0.2);
+    loop.run_with_plans(0.4);
   }
   int changes = 0;
   SafetyMode before = loop.result.mode;
@@ -76,7 +76,7 @@ TEST(WatchLimits, OutsideOfTheAltitudesItHoldsButBeginsOnTheGround) {
   loop.run_with_plans(0.5);
   for (double z_m = 1.5; z_m > 0.9; z_m -= 0.1) {
     loop.displaced = Vec3(0, 0, z_m);
-    loop.run_with_plans(0.2);
+    loop.run_with_plans(0.4);
   }
   loop.run_with_plans(1.0);
   EXPECT_EQ(loop.result.reason, SafetyReason::kAltitude);
@@ -96,6 +96,7 @@ TEST(WatchLimits, AtTheBatterysReserveItIsSentHomeOnce) {
   loop.run_with_plans(1.0);
   EXPECT_EQ(loop.result.phase, MissionPhase::kReturning);
   EXPECT_EQ(loop.result.limit.kind, LimitKind::kBattery);
+  EXPECT_EQ(loop.result.end, MissionEnd::kBattery);
   loop.run_with_plans(20.0);
   EXPECT_EQ(loop.autopilot.count(Request::kReturn), 1);
   EXPECT_EQ(loop.autopilot.total(), 1);

@@ -56,6 +56,18 @@ TEST(WatchOdometry, FrozenWithNewStampsBrakesOnceMotionIsCommanded) {
   EXPECT_EQ(loop.result.mode, SafetyMode::kBrake);
 }
 
+TEST(WatchOdometry, AFrozenOneIsBelievedAgainWhenItStirsAndNotBefore) {
+  Flying loop;
+  loop.displaced = loop.vehicle.position_enu_m;
+  loop.run(1.8);
+  ASSERT_EQ(loop.result.reason, SafetyReason::kOdometryFrozen);
+  loop.run_with_plans(20.0);
+  EXPECT_EQ(loop.result.reason, SafetyReason::kOdometryFrozen);
+  *loop.displaced += Vec3(0.002, 0, 0);
+  loop.run_with_plans(2.0);
+  EXPECT_EQ(loop.result.mode, SafetyMode::kTrack);
+}
+
 TEST(WatchOdometry, AVehicleThatHoversIsNotFrozen) {
   FlightLoop loop;
   loop.take_off_and_track();
