@@ -14,7 +14,7 @@ struct EncounterCell {
   std::string name;  // the kind, or the place
   std::string method;
   MapSource map = MapSource::kKnown;
-  double speed_m_s = 0.0;  // of those who come near
+  double speed_m_s = 0.0;                                  // of those who come near
   int flights = 0, encounters = 0, person_encounters = 0;  // of these, with the followed person
   // Encounters with contact: with the followed person, with a bystander; of these, with somebody
   // whom the camera had not seen.
