@@ -71,6 +71,30 @@ Passages place_of(const SimulatedWalk& walk) {
   return place;
 }
 
+// Some legs are walked back part of the way, to the left or right of where they were walked, and
+// then on. Who turns back for no reason that shows does so anywhere; in passages also before a
+// bend.
+std::vector<Vec2> with_turn_backs(const std::vector<Vec2>& route, int count, Random& random) {
+  constexpr double kShortestLeg_m = 2.5, kLeastBack_m = 1.2, kAside_m = 0.08;
+  std::vector<std::size_t> legs;
+  for (std::size_t i = 0; i + 1 < route.size(); ++i)
+    if ((route[i + 1] - route[i]).norm() >= kShortestLeg_m) legs.push_back(i);
+  std::vector<bool> turns(route.size(), false);
+  for (int k = 0; k < count && !legs.empty(); ++k) turns[legs[random.next() % legs.size()]] = true;
+  std::vector<Vec2> walked;
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    walked.push_back(route[i]);
+    if (!turns[i]) continue;
+    const Vec2 leg = route[i + 1] - route[i], along = leg.normalized();
+    const double there_m = random.uniform(0.7, 0.95) * leg.norm();
+    const double back_m = random.uniform(kLeastBack_m, there_m - 0.5);
+    const Vec2 aside = random.uniform(-kAside_m, kAside_m) * Vec2(-along.y(), along.x());
+    walked.push_back(route[i] + there_m * along);
+    walked.push_back(route[i] + (there_m - back_m) * along + aside);
+  }
+  return walked;
+}
+
 // Nobody knows a stranger's: 0.3 s, more or less.
 double shoulder_lead_s(Random& random) {
   return random.uniform(0.2, 0.4);
@@ -149,8 +173,9 @@ Episode simulate_walk(const SimulatedWalk& walk) {
   const Passages place = place_of(walk);
   episode.map = known_map(place.world, kMapResolution_m);
   Random random(walk.seed);
-  walk_and_watch(make_person(person_params(walk, random),
-                             walk_along(place.route_m, {.speed_m_s = walk.speed_m_s}), 0.0),
+  const PersonParams person = person_params(walk, random);
+  const std::vector<Vec2> route_m = with_turn_backs(place.route_m, walk.turn_backs, random);
+  walk_and_watch(make_person(person, walk_along(route_m, {.speed_m_s = walk.speed_m_s}), 0.0),
                  walk.seed, walk.duration_s, episode);
   return episode;
 }
@@ -186,6 +211,17 @@ std::vector<SimulatedWalk> stopping_walks(std::uint64_t first_seed, int rounds) 
     for (const double speed : {1.0, 1.5, 2.0})
       for (const int stops : {3, 6, 10})
         walks.push_back({false, WorldKind::kWalls, seed++, speed, stops});
+  return walks;
+}
+
+std::vector<SimulatedWalk> returning_walks(std::uint64_t first_seed, int rounds) {
+  std::vector<SimulatedWalk> walks;
+  std::uint64_t seed = first_seed;
+  for (int round = 0; round < rounds; ++round)
+    for (const double speed : {1.0, 1.5, 2.0})
+      for (const int turn_backs : {2, 5})
+        for (const bool in_passages : {true, false})
+          walks.push_back({in_passages, WorldKind::kWalls, seed++, speed, 0, turn_backs});
   return walks;
 }
 

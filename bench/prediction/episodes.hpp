@@ -34,7 +34,8 @@ struct SimulatedWalk {
   WorldKind kind = WorldKind::kEmpty;
   std::uint64_t seed = 1;
   double speed_m_s = 1.5;
-  int stops = 0;  // sudden ones, without a cause in the surroundings
+  int stops = 0;       // sudden ones, without a cause in the surroundings
+  int turn_backs = 0;  // times at which they turn round, and some metres later round again
   double duration_s = 60.0;
 };
 
@@ -47,6 +48,9 @@ std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds);
 
 /// Walks in open worlds with a sudden stop every few seconds, `rounds` times.
 std::vector<SimulatedWalk> stopping_walks(std::uint64_t first_seed, int rounds);
+
+/// Passages and open worlds in which who walks turns back now and then, `rounds` times.
+std::vector<SimulatedWalk> returning_walks(std::uint64_t first_seed, int rounds);
 
 /// Recorded pedestrians of a file in OpenTraj's format, on free ground; the chest, which was not
 /// recorded, turns ahead of the path as a simulated person's. Each is seen `rounds` times, with

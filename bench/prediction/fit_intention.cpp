@@ -114,7 +114,7 @@ struct Knowledge {
 int run(const std::string& tracks, const std::string& folder) {
   const Heads heads = heads_of(kIntentions);
   Knowledge known;
-  for (const auto& walks : {fitting_turns(), fitting_stops()})
+  for (const auto& walks : {fitting_turns(), fitting_stops(), fitting_returns()})
     for (const SimulatedWalk& walk : walks) known.add(simulate_walk(walk));
   for (const RecordedWalk& walk : recorded_walks(tracks, kRecordedRounds)) {
     if (is_held_out(walk)) continue;

@@ -101,6 +101,7 @@ void print_intention(const char* name, const IntentionReport& r) {
               r.brier, r.brier_skill(), r.log_loss, r.base_log_loss, r.ece, r.ece_turn);
   print_announcements("turns", r.turns);
   print_announcements("turns, either side", r.either_turn);
+  print_announcements("turns back", r.turn_backs);
   print_announcements("stops", r.stops);
 }
 
@@ -155,6 +156,7 @@ Json json_of(const IntentionReport& r) {
           {"turn_reliability", json_of(r.turn_reliability)},
           {"turns", json_of(r.turns)},
           {"either_turn", json_of(r.either_turn)},
+          {"turn_backs", json_of(r.turn_backs)},
           {"stops", json_of(r.stops)},
           {"walked_min", r.walked_min}};
 }
@@ -180,15 +182,18 @@ Json report(const char* name, Score& score) {
 
 int run(const std::string& tracks, const std::string& json_path, bool training) {
   Json out;
-  Score passages, open_worlds, sudden_stops, recorded, with_body;
+  Score passages, open_worlds, sudden_stops, returns, recorded, with_body;
   std::printf("%s\n", training ? "Training walks" : "Held-out walks");
   for (const SimulatedWalk& walk : training ? fitting_turns() : held_out_turns())
     run_episode(simulate_walk(walk), walk.in_passages ? passages : open_worlds);
   for (const SimulatedWalk& walk : training ? fitting_stops() : held_out_stops())
     run_episode(simulate_walk(walk), sudden_stops);
+  for (const SimulatedWalk& walk : training ? fitting_returns() : held_out_returns())
+    run_episode(simulate_walk(walk), returns);
   out["passages"] = report("Simulated passages", passages);
   out["open_worlds"] = report("Simulated open worlds", open_worlds);
   out["sudden_stops"] = report("Open worlds with sudden stops", sudden_stops);
+  out["returns"] = report("Walks that turn back", returns);
   for (const RecordedWalk& walk : recorded_walks(tracks, 3))
     if (is_held_out(walk) != training) {
       run_episode(without_map(without_body(walk.episode)), recorded);

@@ -12,11 +12,17 @@ inline std::vector<SimulatedWalk> fitting_turns() {
 inline std::vector<SimulatedWalk> fitting_stops() {
   return stopping_walks(50001, 2);
 }
+inline std::vector<SimulatedWalk> fitting_returns() {
+  return returning_walks(70001, 6);
+}
 inline std::vector<SimulatedWalk> held_out_turns() {
   return turning_walks(100001, 4);
 }
 inline std::vector<SimulatedWalk> held_out_stops() {
   return stopping_walks(150001, 3);
+}
+inline std::vector<SimulatedWalk> held_out_returns() {
+  return returning_walks(170001, 3);
 }
 inline bool is_held_out(const RecordedWalk& walk) {
   return walk.pedestrian % 3 == 0;

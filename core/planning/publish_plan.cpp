@@ -15,7 +15,7 @@ void fill_views(PlanningState& s, double begin_s, double step_s, PlannedTrajecto
     if (!views[k].seen) continue;
     VisibleRegion region;
     region.time_s = begin_s + step_s * static_cast<double>(k + 1);
-    region.target_enu_m = s.expected.paths[0].position(region.time_s, step_s);
+    region.target_enu_m = s.expected.paths[0].position(region.time_s);
     region.bisector_rad = views[k].shrunk.bisector_rad;
     region.half_angle_rad = views[k].shrunk.half_angle_rad;
     region.waypoint_enu_m = s.ahead.way.points[s.ahead.way.arrival[k]];

@@ -29,7 +29,7 @@ struct Search {
   Search(const SearchRequest& r, const GridMap& m, const PredictionParams& p, SearchWorkspace& ws,
          IntentionTable t)
       : request(r), map(m), params(p), w(ws), table(t), steps(p.step_count()) {
-    for (const IntentionRow& row : table) models[index_of(row.id)] = row.motion_model(p);
+    for (const IntentionRow& row : table) models[index_of(row.id)] = row.motion_model(p, r.gait);
     if (turns(request.root)) root_side = root_model().rate > 0.0 ? 1.0 : -1.0;
     const double begun_rad = std::max(0.0, root_side * r.recent_turn_rad);
     const Vec2 course = r.start.velocity_m_s.normalized();
@@ -160,6 +160,7 @@ bool Search::can_still_leave(const SearchNode& n) const {
 void Search::expand(std::int32_t index) {
   const SearchNode from = w.nodes[index];
   for (const IntentionRow& row : table) {
+    if (!row.may_follow && row.id != request.root) continue;
     const MotionModel& model = model_of(row.id);
     SearchNode n = from;
     n.parent = index;

@@ -45,7 +45,8 @@ struct SearchWorkspace {
 /// What path is looked for.
 struct SearchRequest {
   PlanarState start;
-  double height_m = 0.0;         // at which the map is read
+  double height_m = 0.0;  // at which the map is read
+  Gait gait;
   double recent_turn_rad = 0.0;  // counts towards the largest turn of the root intention
   Intention root{};
 };

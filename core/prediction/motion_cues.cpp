@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kRecent_s = 1.0;
 constexpr double kSteady_s = 0.25;
+constexpr double kTurnedRound_rad = rad(120.0);
 constexpr double kManoeuvre_m_s = 0.5;  // of velocity between now and soon
 
 double heading_change(const MotionHistory::Sample& from, const Vec2& to_m_s, double walking_m_s) {
@@ -53,6 +54,24 @@ void read_changes(const MotionHistory& h, const Vec2& velocity, double stamp_s,
   cues.recent_turn_rad = heading_change(recent, velocity, params.walking_speed_m_s);
 }
 
+// Who is about to turn back slows down first: the course is that of the time before.
+Gait gait_of(const MotionHistory& h, const TargetState& target, const MotionCues& cues) {
+  constexpr double kSlowed = 0.5;  // times the pace
+  const PlanarState* fastest = &cues.state;
+  for (int i = 0; i < h.count && target.stamp_s - h.back(i).stamp_s <= kRecent_s; ++i)
+    if (h.back(i).measured.velocity_m_s.norm() > fastest->velocity_m_s.norm())
+      fastest = &h.back(i).measured;
+  Gait gait;
+  gait.pace_m_s = fastest->velocity_m_s.norm();
+  const bool slowed = cues.speed_m_s < kSlowed * gait.pace_m_s;
+  const double course_rad = slowed ? yaw_of(fastest->velocity_m_s) : cues.heading_rad;
+  gait.back_rad = wrap_angle(course_rad + kPi);
+  const bool chest_turned =
+      cues.body_known && std::abs(wrap_angle(target.body_yaw_rad - course_rad)) > kTurnedRound_rad;
+  if (chest_turned) gait.back_rad = target.body_yaw_rad;
+  return gait;
+}
+
 }  // namespace
 
 MotionCues observe_motion(MotionMemory& memory, const TargetState& target,
@@ -85,6 +104,8 @@ MotionCues observe_motion(MotionMemory& memory, const TargetState& target,
   cues.log_turns_per_s = memory.habit.log_turn_rate();
   cues.log_stops_per_s = memory.habit.log_stop_rate();
   cues.straight_s = memory.habit.straight_s;
+  cues.log_turn_backs_per_s = memory.habit.log_turn_back_rate();
+  cues.gait = gait_of(h, target, cues);
   return cues;
 }
 

@@ -46,6 +46,8 @@ struct MotionCues {
   double log_turns_per_s = 0.0;             // as often as the target has turned so far
   double log_stops_per_s = 0.0;             // the same of stops
   double straight_s = 0.0;                  // walked since its last turn
+  double log_turn_backs_per_s = 0.0;        // as often as it has turned back so far
+  Gait gait;
 };
 
 /// Adds the target to the memory and reads the cues.

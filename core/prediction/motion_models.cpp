@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/prediction/motion_models.hpp"
 
+#include <algorithm>
+
 namespace foretrack {
 namespace {
 
@@ -27,26 +29,35 @@ PlanarState turned(double rate_rad_s, const PlanarState& x, double dt_s) {
           Vec2(t.cosine * vx - t.sine * vy, t.sine * vx + t.cosine * vy)};
 }
 
-PlanarState slowed(double rate_m_s2, const PlanarState& x, double dt_s) {
-  const double speed = x.velocity_m_s.norm();
-  if (speed < kStill_m_s) return {x.position_m, Vec2::Zero()};
-  const double braking_s = std::min(dt_s, speed / rate_m_s2);
-  const double path_m = braking_s * (speed - 0.5 * rate_m_s2 * braking_s);
-  const double end_m_s = std::max(0.0, speed - rate_m_s2 * dt_s);
-  return {x.position_m + x.velocity_m_s * (path_m / speed), x.velocity_m_s * (end_m_s / speed)};
+// The velocity changes straight towards the goal, and is then kept.
+struct Change {
+  Vec2 along;       // unit, or zero where there is nothing to change
+  double amount;    // of velocity
+  double length_s;  // that it takes
+};
+Change change_to(const MotionModel& model, const Vec2& velocity_m_s) {
+  const Vec2 change = model.goal_m_s - velocity_m_s;
+  const double amount = change.norm();
+  if (amount < kStill_m_s) return {Vec2::Zero(), 0.0, 0.0};
+  return {change / amount, amount, amount / model.rate};
 }
 
-MotionJacobian slowed_jacobian(double rate_m_s2, const PlanarState& x, double dt_s) {
-  const double speed = x.velocity_m_s.norm();
-  if (speed < kStill_m_s) return {Mat2::Zero(), Mat2::Zero()};
-  const Vec2 along = x.velocity_m_s / speed;
-  const Mat2 radial = along * along.transpose();
+PlanarState changed(const MotionModel& model, const PlanarState& x, double dt_s) {
+  const Change c = change_to(model, x.velocity_m_s);
+  const double t_s = std::min(dt_s, c.length_s);
+  const Vec2 there = x.position_m + t_s * (x.velocity_m_s + 0.5 * t_s * model.rate * c.along);
+  if (dt_s < c.length_s) return {there, x.velocity_m_s + t_s * model.rate * c.along};
+  return {there + (dt_s - t_s) * model.goal_m_s, model.goal_m_s};
+}
+
+MotionJacobian changed_jacobian(const MotionModel& model, const PlanarState& x, double dt_s) {
+  const Change c = change_to(model, x.velocity_m_s);
+  const Mat2 radial = c.along * c.along.transpose();
+  if (dt_s >= c.length_s)  // at the goal before the end
+    return {0.5 * c.length_s * (Mat2::Identity() + radial), Mat2::Zero()};
+  const double share = dt_s / c.length_s;
   const Mat2 across = Mat2::Identity() - radial;
-  if (speed <= rate_m_s2 * dt_s) {  // at rest before the end
-    return {(Mat2::Identity() + radial) * (speed / (2.0 * rate_m_s2)), Mat2::Zero()};
-  }
-  const double fall = rate_m_s2 * dt_s / speed;
-  return {dt_s * (Mat2::Identity() - 0.5 * fall * across), Mat2::Identity() - fall * across};
+  return {dt_s * (Mat2::Identity() - 0.5 * share * across), Mat2::Identity() - share * across};
 }
 
 }  // namespace
@@ -56,7 +67,8 @@ PlanarState advance(const MotionModel& model, const PlanarState& x, double dt_s)
     case MotionModel::Kind::kCoordinatedTurn:
       return turned(model.rate, x, dt_s);
     case MotionModel::Kind::kDeceleration:
-      return slowed(model.rate, x, dt_s);
+    case MotionModel::Kind::kReversal:
+      return changed(model, x, dt_s);
     case MotionModel::Kind::kConstantVelocity:
       break;
   }
@@ -73,7 +85,8 @@ MotionJacobian jacobian(const MotionModel& model, const PlanarState& x, double d
       return j;
     }
     case MotionModel::Kind::kDeceleration:
-      return slowed_jacobian(model.rate, x, dt_s);
+    case MotionModel::Kind::kReversal:
+      return changed_jacobian(model, x, dt_s);
     case MotionModel::Kind::kConstantVelocity:
       break;
   }

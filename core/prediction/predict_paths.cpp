@@ -114,7 +114,7 @@ SearchStatus add_searched_path(PredictionState& state, const PathStart& start,
   if (outcome.status != SearchStatus::kFound) return outcome.status;
   PathWriter writer(state, row_of(request.root, table), start, params.step_s);
   for (const std::int32_t i : state.search.path)
-    writer.add(row_of(state.search.nodes[i].intention, table).motion_model(params));
+    writer.add(row_of(state.search.nodes[i].intention, table).motion_model(params, request.gait));
   return outcome.status;
 }
 
@@ -129,9 +129,13 @@ std::array<Intention, kMaxIntentions> likeliest_first(const IntentionAssessment&
   return order;
 }
 
-// Who stands has no path to bend.
-bool asks_for_a_walk(const MotionModel& model) {
-  return model.kind == MotionModel::Kind::kCoordinatedTurn;
+// Who stands has no path to bend, and who has stood for a while none to go back.
+bool has_a_path(const MotionModel& model, const MotionCues& motion,
+                const PredictionParams& params) {
+  if (model.kind == MotionModel::Kind::kCoordinatedTurn) return motion.walking;
+  if (model.kind == MotionModel::Kind::kReversal)
+    return motion.gait.pace_m_s >= params.walking_speed_m_s;
+  return true;
 }
 
 void normalise(std::vector<PredictedPath>& paths) {
@@ -169,11 +173,12 @@ void predict_paths(PredictionState& state, const TargetState& target, const Moti
   const auto order = likeliest_first(state.result.intention);
   for (const Intention intention : std::span(order).first(table.size())) {
     if (!params.intention_paths && intention != on.id) continue;
-    const MotionModel model = row_of(intention, table).motion_model(params);
-    if (asks_for_a_walk(model) && !motion.walking) continue;
+    const MotionModel model = row_of(intention, table).motion_model(params, motion.gait);
+    if (!has_a_path(model, motion, params)) continue;
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
-    const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
+    const SearchRequest request{start.state, motion.height_m, motion.gait, motion.recent_turn_rad,
+                                intention};
     if (add_searched_path(state, start, request, map, params, table) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;
   }

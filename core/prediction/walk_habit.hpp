@@ -4,20 +4,24 @@
 
 namespace foretrack {
 
-/// Turns, stops and walked time, all forgotten over a minute. Owned by the caller of predict().
+/// Turns, stops, turns back and walked time, all forgotten over a minute. Owned by the caller of
+/// predict().
 struct WalkHabit {
   double turns = 0.0;
   double stops = 0.0;
+  double turn_backs = 0.0;
   double walked_s = 0.0;
   double straight_s = 0.0;  // walked since the last turn
   bool turning = false;
+  bool turning_back = false;
   bool standing = true;  // who stands at first has not stopped
   double stamp_s = 0.0;
 
-  /// Logarithms of the turns and stops in a second of walking, as far as they can be told from what
-  /// was seen.
+  /// Logarithms of the turns, stops and turns back in a second of walking, as far as they can be
+  /// told from what was seen.
   double log_turn_rate() const;
   double log_stop_rate() const;
+  double log_turn_back_rate() const;
 };
 
 /// What one estimate says.

@@ -19,7 +19,6 @@ constexpr double kLongestGap_s = 0.1;  // between moments; a longer one is not w
 constexpr double kAfterwards_s = 1.0;
 constexpr double kLeastProbability = 1e-9;
 constexpr int kLeft = index_of(Intention::kTurnLeft), kRight = index_of(Intention::kTurnRight);
-constexpr int kStop = index_of(Intention::kDecelerate);
 
 using Moments = std::vector<SaidIntention>;
 using Events = std::vector<TruthEvent>;
@@ -54,7 +53,7 @@ double lead_s(const std::vector<Run>& runs, double onset_s) {
 int false_among(const std::vector<Run>& runs, const Events& events) {
   const auto is_false = [&](const Run& run) {
     return std::none_of(events.begin(), events.end(), [&](const TruthEvent& e) {
-      return e.onset_s >= run.from_s - kLatest_s && e.onset_s <= run.to_s + kEarliest_s;
+      return e.begin_s >= run.from_s - kLatest_s && e.begin_s <= run.to_s + kEarliest_s;
     });
   };
   return static_cast<int>(std::count_if(runs.begin(), runs.end(), is_false));
@@ -64,15 +63,24 @@ template <class Announcements, class ProbabilityOf>
 void judge(const Moments& moments, const Events& events, ProbabilityOf&& probability_of,
            Announcements& out) {
   const std::vector<Run> runs = announcements(moments, probability_of);
-  for (const TruthEvent& e : events) out.leads_s.push_back(lead_s(runs, e.onset_s));
+  for (const TruthEvent& e : events) out.leads_s.push_back(lead_s(runs, e.begin_s));
   out.false_alarms += false_among(runs, events);
 }
 
-Events only(const Events& events, Intention kind) {
+Events only(const Events& events, std::initializer_list<Intention> kinds) {
   Events some;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(some),
-               [&](const TruthEvent& e) { return e.kind == kind; });
+  std::ranges::copy_if(events, std::back_inserter(some), [&](const TruthEvent& e) {
+    return std::ranges::find(kinds, e.kind) != kinds.end();
+  });
   return some;
+}
+
+// Announcements of one intention's events.
+template <class Announcements>
+void judge(const Moments& moments, const Events& events, Intention kind, Announcements& out) {
+  judge(
+      moments, only(events, {kind}), [&](const Probabilities& p) { return p[index_of(kind)]; },
+      out);
 }
 
 template <class T>
@@ -102,15 +110,14 @@ void IntentionScorer::add(const Moments& said, const Truth& truth) {
     next_window_s = m.time_s + kEvery_s;
     windows_.push_back({m.p, index_of(*label)});
   }
-  const Events turns = turns_of(truth);
+  const Events events = intended_events_of(truth);
   judge(
-      walking, turns, [](const Probabilities& p) { return p[kLeft] + p[kRight]; }, either_turn_);
-  for (const int side : {kLeft, kRight})
-    judge(
-        walking, only(turns, static_cast<Intention>(side)),
-        [&](const Probabilities& p) { return p[side]; }, turns_);
-  judge(
-      walking, stops_of(truth), [](const Probabilities& p) { return p[kStop]; }, stops_);
+      walking, only(events, {Intention::kTurnLeft, Intention::kTurnRight}),
+      [](const Probabilities& p) { return p[kLeft] + p[kRight]; }, either_turn_);
+  judge(walking, events, Intention::kTurnLeft, turns_);
+  judge(walking, events, Intention::kTurnRight, turns_);
+  judge(walking, events, Intention::kTurnBack, turn_backs_);
+  judge(walking, events, Intention::kDecelerate, stops_);
 }
 
 IntentionScorer& IntentionScorer::operator+=(const IntentionScorer& o) {
@@ -122,6 +129,7 @@ IntentionScorer& IntentionScorer::operator+=(const IntentionScorer& o) {
   add(turns_, o.turns_);
   add(either_turn_, o.either_turn_);
   add(stops_, o.stops_);
+  add(turn_backs_, o.turn_backs_);
   walked_s_ += o.walked_s_;
   return *this;
 }
@@ -142,6 +150,7 @@ IntentionReport IntentionScorer::report() const {
   r.turns = report(turns_);
   r.either_turn = report(either_turn_);
   r.stops = report(stops_);
+  r.turn_backs = report(turn_backs_);
   r.walked_min = walked_s_ / 60.0;
   r.windows = static_cast<int>(windows_.size());
   const double n = std::max(r.windows, 1);

@@ -44,6 +44,7 @@ struct IntentionReport {
   std::vector<ReliabilityBin> turn_reliability;  ///< of both turns; 15 bins
   AnnouncementReport turns;                      ///< of each side's announcements
   AnnouncementReport either_turn;                ///< a turn was announced, to whichever side
+  AnnouncementReport turn_backs;
   AnnouncementReport stops;
   double walked_min = 0.0;  ///< that the person walked
 
@@ -71,7 +72,7 @@ class IntentionScorer {
     int false_alarms = 0;
   };
   std::vector<Window> windows_;
-  Announcements turns_, either_turn_, stops_;
+  Announcements turns_, either_turn_, stops_, turn_backs_;
   double walked_s_ = 0.0;
 
   AnnouncementReport report(const Announcements& a) const;

@@ -12,20 +12,6 @@ constexpr double kTurnInterval_s = 0.4;
 constexpr std::size_t kSamples = 30;
 using Samples = std::array<Vec2, kSamples>;
 
-// Straight between the path's states; at its end beyond.
-Vec2 point_at(const PredictedPath& path, const Vec2& start_m, double time_s) {
-  double before_s = 0.0;
-  Vec2 before = start_m;
-  for (const PredictedState& z : path.states) {
-    const Vec2 here = z.position_enu_m.head<2>();
-    if (z.time_s >= time_s - 1e-9)
-      return before + (here - before) * (time_s - before_s) / (z.time_s - before_s);
-    before_s = z.time_s;
-    before = here;
-  }
-  return before;
-}
-
 Vec2 turned(const Vec2& velocity, double rate_rad_s, double time_s) {
   if (std::abs(rate_rad_s) < 1e-3) return time_s * velocity;
   const double angle = rate_rad_s * time_s;
@@ -105,7 +91,8 @@ void PathScorer::add(const TargetState& target, double turn_rate_rad_s,
   std::vector<Judged> paths;
   for (const PredictedPath& path : prediction.paths)
     paths.push_back(
-        {samples_of([&](double t) { return point_at(path, start, t); }), path.probability});
+        {samples_of([&](double t) -> Vec2 { return path.at(t).position_enu_m.head<2>(); }),
+         path.probability});
   const Judged straight{samples_of([&](double t) -> Vec2 { return start + t * velocity; })};
   const Judged turn{
       samples_of([&](double t) -> Vec2 { return start + turned(velocity, turn_rate_rad_s, t); })};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the target really did: its intentions, turns and stops as only the future can tell them.
+// What the person really did. A label says what a moment was the beginning of; an event is a turn
+// or a stop from its beginning to its end. Both need the future: they judge, they do not predict.
 #pragma once
 
 #include <optional>
@@ -11,13 +12,14 @@
 namespace foretrack {
 
 /// Where the target really was, and how it moved.
+/// Where the target really was, and how it moved.
 struct TruthSample {
   Vec2 position_m = Vec2::Zero();
   Vec2 velocity_m_s = Vec2::Zero();
   double speed_m_s() const { return velocity_m_s.norm(); }
 };
 
-/// At equal steps; samples[0] is of time 0.
+/// A walk in samples at equal steps; samples[0] is of time 0.
 struct Truth {
   double step_s = 0.02;
   std::vector<TruthSample> samples;
@@ -28,38 +30,50 @@ struct Truth {
   const TruthSample& at(double time_s) const { return samples[steps(time_s)]; }
 };
 
-/// What the target meant at samples[i], by the second that follows. The first that holds counts:
-///
-/// - A turn, if the heading changes by more than 30° while the target is faster than 0.3 m/s.
-/// - If the speed halves: a turn, if one follows within another second; else deceleration. Who
-/// slows
-///   down for a corner does not mean to stop.
-/// - Forward.
-///
-/// None: the target stands (slower than 0.3 m/s), or the second is not known. Cost: linear in the
-/// samples of a second.
+/// The intention of samples[i], by what follows. The first of these that holds:
+/// - turn back: within 2 s the heading is more than 120° from the present one (a motion that
+///   reverses is the plainest case);
+/// - turn left, turn right: within 1 s it is more than 30° from it;
+/// - turn left, turn right: within 1 s the speed halves, and such a turn follows within another
+///   second. Who slows down for a corner does not mean to stop;
+/// - decelerate: within 1 s the speed halves;
+/// - forward.
+/// None while the person stands (0.3 m/s), and where the next 2 s are not known.
 std::optional<Intention> label_at(const Truth& truth, int i);
 
-/// A turn or a stop that really happened, and when it began. A turn changes the heading by more
-/// than 30° within a second; it begins where the heading has left the old one by 5°. A stop halves
-/// the speed within a second without a turn; it begins where 5 % of the speed are gone.
-struct TruthEvent {
-  Intention kind = Intention::kTurnLeft;
-  double onset_s = 0.0;  ///< on the clock of the truth
-};
-/// The turns of a walk, in order of time; each is found once.
-std::vector<TruthEvent> turns_of(const Truth& truth);
-/// The stops of a walk, in order of time; each is found once.
-std::vector<TruthEvent> stops_of(const Truth& truth);
+/// The label of who stands now (0.2 m/s) and will walk within a second (0.5 m/s). No intention of
+/// this kind is predicted yet.
+bool sets_off(const Truth& truth, int i);
 
-/// To another way, whichever.
+/// Labels that change the way.
 constexpr bool is_turn(Intention i) {
-  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
+  return i == Intention::kTurnLeft || i == Intention::kTurnRight || i == Intention::kTurnBack;
 }
 
-/// True if in the three seconds after samples[i] the heading stays within 15° of what it is there,
-/// and the speed above 70 % of it. False where the target stands or the three seconds are not
-/// known.
+/// A turn, a stop or a turn back that really happened.
+struct TruthEvent {
+  Intention kind = Intention::kTurnLeft;
+  double begin_s = 0.0;  // the heading, or the speed, begins to change
+  double end_s = 0.0;
+  double turn_rad = 0.0;  // of a turn: positive to the left
+};
+
+/// A turn: the heading changes faster than 0.4 rad/s in one sense, with pauses of less than 0.3 s,
+/// and by more than 30° in all. Left or right, however far it goes.
+std::vector<TruthEvent> turns_of(const Truth& truth);
+
+/// A stop: the speed falls faster than 0.5 m/s² until less than half of it is left, whatever
+/// follows.
+std::vector<TruthEvent> stops_of(const Truth& truth);
+
+/// Turns and stops, in the order of their beginnings.
+std::vector<TruthEvent> turns_and_stops_of(const Truth& truth);
+
+/// The same events as intentions foretell them, by the label of their beginnings: a turn, or a
+/// stop, that begins a turn back is one; a stop that begins a turn is none.
+std::vector<TruthEvent> intended_events_of(const Truth& truth);
+
+/// True if the next three seconds keep the heading within 15° and the speed above 70 %.
 bool goes_straight(const Truth& truth, int i);
 
 }  // namespace foretrack

@@ -10,10 +10,10 @@ namespace {
 constexpr double kNear_m = 0.2;  // nearer than this, a bearing means nothing
 
 // Sum of unit vectors towards the target, weighted by probability: x, y in the plane, z up.
-Vec3 mean_direction(const Vec3& from, const ExpectedTarget& expected, double t_s, double step_s) {
+Vec3 mean_direction(const Vec3& from, const ExpectedTarget& expected, double t_s) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < expected.count; ++i) {
-    const Vec3 offset = expected.paths[i].position(t_s, step_s) - from;
+    const Vec3 offset = expected.paths[i].position(t_s) - from;
     const double distance_m = offset.head<2>().norm();
     if (distance_m > kNear_m) sum += expected.paths[i].probability / distance_m * offset;
   }
@@ -56,10 +56,9 @@ void aim_camera(const PlanStart& start, const ExpectedTarget& expected,
   double yaw_rad = start.yaw.angle_rad, pitch_rad = start.gimbal_pitch.angle_rad;
   for (int i = 1; i <= nodes; ++i) {
     const double t_s = i * dt_s;
-    const Vec3 direction =
-        params.view.yaw_ahead
-            ? mean_direction(trajectory.position(t_s), expected, t_s, params.horizon.step_s)
-            : present_direction(start, expected, params.horizon.step_s);
+    const Vec3 direction = params.view.yaw_ahead
+                               ? mean_direction(trajectory.position(t_s), expected, t_s)
+                               : present_direction(start, expected, params.horizon.step_s);
     const double along = direction.head<2>().norm();
     if (along > 0.1) {
       yaw_rad = yaw_of(Vec2(direction.head<2>()));

@@ -40,13 +40,8 @@ Vec3 position_on(const PredictedPath& path, double time_s) {
   return sample(path, time_s).position_enu_m;
 }
 
-Vec3 ExpectedPath::position(double t_s, double step_s) const {
-  const auto last = positions_enu_m.size() - 1;
-  const double steps = std::max(t_s / step_s - 1.0, 0.0);
-  const auto k = std::min(static_cast<std::size_t>(steps), last);
-  if (k == last) return positions_enu_m[last];
-  const double part = steps - static_cast<double>(k);
-  return (1.0 - part) * positions_enu_m[k] + part * positions_enu_m[k + 1];
+Vec3 ExpectedPath::position(double t_s) const {
+  return position_on(*believed, start_s + t_s);
 }
 
 int ExpectedTarget::owner(int i, std::size_t k, double near_m) const {
@@ -87,12 +82,14 @@ void align(const TargetBelief& belief, double start_s, const HorizonParams& para
     const bool wanted = params.hedging && path.probability >= params.path_probability_min;
     if (i > 0 && !wanted) continue;
     ExpectedPath& out = expected.paths[expected.count++];
+    out.believed = &path;
+    out.start_s = start_s - belief.stamp_s;
     out.probability = std::max(path.probability, 1e-3);
     sum += out.probability;
     out.positions_enu_m.resize(steps);
     out.velocities_enu_m_s.resize(steps);
     for (int k = 0; k < steps; ++k) {
-      const PathPoint point = sample(path, start_s + (k + 1) * params.step_s - belief.stamp_s);
+      const PathPoint point = sample(path, out.start_s + (k + 1) * params.step_s);
       out.positions_enu_m[k] = point.position_enu_m;
       out.velocities_enu_m_s[k] = point.velocity_enu_m_s;
     }

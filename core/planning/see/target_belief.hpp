@@ -29,12 +29,15 @@ Vec3 position_on(const PredictedPath& path, double time_s);
 
 /// z_k at t_k = Δ … T_p after a trajectory's start, of one intention.
 struct ExpectedPath {
+  const PredictedPath* believed = nullptr;  // of the TargetBelief, which must outlive this
+  double start_s = 0.0;                     // of the trajectory, on the believed path's clock
   double probability = 0.0;
   std::vector<Vec3> positions_enu_m;
   std::vector<Vec3> velocities_enu_m_s;
 
-  /// Between the z_k; the first before t_1 and the last after T_p.
-  Vec3 position(double t_s, double step_s) const;
+  /// Where the target is expected at t after the trajectory's start: on the believed path, which it
+  /// goes on for a short time after its end; then it stands.
+  Vec3 position(double t_s) const;
 };
 
 /// The paths to plan for; probabilities sum to 1.

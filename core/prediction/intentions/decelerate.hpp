@@ -69,8 +69,8 @@ inline constexpr IntentionRow kDecelerate{
         [](const IntentionEvidence& e) {  // eq. 9
           return std::max(e.params.k4_decelerate_observation * e.motion.speed_fall_m_s, 0.0);
         },
-    .motion_model =
-        [](const PredictionParams& p) { return MotionModel::deceleration(p.deceleration_m_s2); },
+    .motion_model = [](const PredictionParams& p,
+                       const Gait&) { return MotionModel::deceleration(p.deceleration_m_s2); },
     .costs = {.begin = 1.5, .end = 1.0, .change = 1.0},
     .noise_m2_s3 = 0.2,
     .head = &kDecelerateHead,

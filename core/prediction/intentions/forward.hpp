@@ -20,7 +20,8 @@ inline constexpr IntentionRow kForward{
           return -e.params.k5_forward_observation * e.strongest_observation +
                  e.params.b2_forward_observation;
         },
-    .motion_model = [](const PredictionParams&) { return MotionModel::constant_velocity(); },
+    .motion_model = [](const PredictionParams&,
+                       const Gait&) { return MotionModel::constant_velocity(); },
     .noise_m2_s3 = 0.05,
 };
 

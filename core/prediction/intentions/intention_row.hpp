@@ -104,10 +104,11 @@ struct IntentionRow {
   std::string_view name;        // in messages, logs and files; at most 32 characters of [a-z_]
   std::uint32_t color_rgb = 0;  // 0xRRGGBB, wherever it is drawn
   Margin margin = Margin::kNone;
-  double (*potential)(const IntentionEvidence&) = nullptr;                // R, eq. 5–10
-  double (*observation)(const IntentionEvidence&) = nullptr;              // O
-  MotionModel (*motion_model)(const PredictionParams& params) = nullptr;  // H of §IV
+  double (*potential)(const IntentionEvidence&) = nullptr;                      // R, eq. 5–10
+  double (*observation)(const IntentionEvidence&) = nullptr;                    // O
+  MotionModel (*motion_model)(const PredictionParams&, const Gait&) = nullptr;  // H of §IV
   ChangeCosts costs{};
+  bool may_follow = true;    // a path of another intention may change to it
   double noise_m2_s3 = 0.0;  // white acceleration: how the covariance along its path grows
   /// Null at place 0, whose logit is 0. Anywhere else, null or without weights: not fitted, and the
   /// probability is 0.

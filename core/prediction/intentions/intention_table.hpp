@@ -8,11 +8,12 @@
 #include "core/prediction/intentions/decelerate.hpp"
 #include "core/prediction/intentions/forward.hpp"
 #include "core/prediction/intentions/turn.hpp"
+#include "core/prediction/intentions/turn_back.hpp"
 
 namespace foretrack {
 
 /// The intentions that are shipped, in the order of their rows.
-enum class Intention : std::uint8_t { kForward, kTurnLeft, kTurnRight, kDecelerate };
+enum class Intention : std::uint8_t { kForward, kTurnLeft, kTurnRight, kDecelerate, kTurnBack };
 
 /// The row at this place.
 constexpr IntentionRow at_place(Intention id, IntentionRow row) {
@@ -25,6 +26,7 @@ inline constexpr std::array kIntentions{
     at_place(Intention::kTurnLeft, intentions::kTurnLeft),
     at_place(Intention::kTurnRight, intentions::kTurnRight),
     at_place(Intention::kDecelerate, intentions::kDecelerate),
+    at_place(Intention::kTurnBack, intentions::kTurnBack),
 };
 inline constexpr int kIntentionCount = static_cast<int>(kIntentions.size());
 

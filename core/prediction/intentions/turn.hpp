@@ -108,8 +108,8 @@ constexpr IntentionRow turn_row(std::string_view name, std::uint32_t color_rgb) 
           [](const IntentionEvidence& e) {  // eq. 7
             return std::max(kSign * e.params.k2_turn_observation * e.motion.body_turn_rad, 0.0);
           },
-      .motion_model =
-          [](const PredictionParams& p) { return MotionModel::turn(kSign * p.turn_rate_rad_s); },
+      .motion_model = [](const PredictionParams& p,
+                         const Gait&) { return MotionModel::turn(kSign * p.turn_rate_rad_s); },
       .costs = {.begin = 1.0, .end = 0.3, .change = 1.0, .mirrored = 3.0},
       .noise_m2_s3 = 0.2,
       .head = &kTurnHead,

@@ -12,6 +12,15 @@ Truth truth_of(std::span<const FlightRow> rows) {
   return truth;
 }
 
+std::vector<TruthEvent> events_of(std::span<const FlightRow> rows) {
+  std::vector<TruthEvent> events = turns_and_stops_of(truth_of(rows));
+  for (TruthEvent& event : events) {
+    event.begin_s += rows.front().now_s;
+    event.end_s += rows.front().now_s;
+  }
+  return events;
+}
+
 IntentionScorer score_intentions(std::span<const FlightRow> rows, const Truth& truth) {
   std::vector<SaidIntention> said;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "services/offline/flight/flight_truth.hpp"
 #include "services/offline/flight/intention_metrics.hpp"
 #include "services/offline/flight/people_metrics.hpp"
 
@@ -126,7 +127,7 @@ bool collides(Rows rows, const MetricParams& p) {
                      [&](const FlightRow& r) { return r.clearance_m < p.vehicle_radius_m; });
 }
 
-EventRecord record_of(Rows window, double step_s, const TargetEvent& event, const MetricParams& p) {
+EventRecord record_of(Rows window, double step_s, const TruthEvent& event, const MetricParams& p) {
   EventRecord record{.event = event};
   record.longest_loss_s = longest(runs_s(window, step_s, unseen));
   record.min_distance_m = least_distance_m(window);
@@ -134,7 +135,7 @@ EventRecord record_of(Rows window, double step_s, const TargetEvent& event, cons
   return record;
 }
 
-EventRecord judge_turn(Rows rows, const TargetEvent& event, const MetricParams& p) {
+EventRecord judge_turn(Rows rows, const TruthEvent& event, const MetricParams& p) {
   EventRecord record =
       record_of(between(rows, event.begin_s - 1.0, event.begin_s + 4.0), step_of(rows), event, p);
   record.success = !record.collided && record.longest_loss_s <= p.turn_loss_s + 1e-9 &&
@@ -142,17 +143,17 @@ EventRecord judge_turn(Rows rows, const TargetEvent& event, const MetricParams& 
   return record;
 }
 
-EventRecord judge_deceleration(Rows window, double step_s, const TargetEvent& event,
+EventRecord judge_deceleration(Rows window, double step_s, const TruthEvent& event,
                                const MetricParams& p) {
   EventRecord record = record_of(window, step_s, event, p);
   record.success = !record.collided && record.min_distance_m >= p.near_m;
   return record;
 }
 
-void measure_events(Rows rows, const std::vector<TargetEvent>& events, const MetricParams& p,
+void measure_events(Rows rows, const std::vector<TruthEvent>& events, const MetricParams& p,
                     Metrics& m) {
   double least_m = std::numeric_limits<double>::infinity();
-  for (const TargetEvent& event : events) {
+  for (const TruthEvent& event : events) {
     if (event.kind != Intention::kDecelerate) {
       m.turn_records.push_back(judge_turn(rows, event, p));
       ++m.turns;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "services/offline/flight/flight_events.hpp"
+#include "core/scores/truth.hpp"
 #include "services/offline/flight/flight_row.hpp"
 
 namespace foretrack {
@@ -40,7 +40,7 @@ Interval95 wilson(int successes, int trials);
 /// than turn_loss_s in [−1, +4] s, and a distance below d_l − turn_distance_slack_m; a deceleration
 /// without a collision and a distance below near_m in the 3 s that follow.
 struct EventRecord {
-  TargetEvent event;
+  TruthEvent event;
   double longest_loss_s = 0.0;
   double min_distance_m = 0.0;
   bool collided = false;

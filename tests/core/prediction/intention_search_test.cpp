@@ -12,8 +12,10 @@ namespace {
 using namespace foretrack::testing;
 
 SearchRequest request_from(const Vec2& position_m, const Vec2& velocity_m_s, Intention root) {
-  return {
-      .start = {position_m, velocity_m_s}, .height_m = 1.2, .recent_turn_rad = 0.0, .root = root};
+  return {.start = {position_m, velocity_m_s},
+          .height_m = 1.2,
+          .gait = {velocity_m_s.norm(), wrap_angle(yaw_of(velocity_m_s) + kPi)},
+          .root = root};
 }
 
 struct Found {
@@ -43,13 +45,14 @@ TEST(IntentionSearch, FollowsTheIntentionItselfInTheOpen) {
   const GridMap map = open_field();
   const PredictionParams params;
   for (const IntentionRow& row : kIntentions) {
-    const auto found = search(request_from({0, 0}, {1.5, 0}, row.id), map);
+    const SearchRequest walk = request_from({0, 0}, {1.5, 0}, row.id);
+    const auto found = search(walk, map);
     ASSERT_EQ(found.outcome.status, SearchStatus::kFound);
     ASSERT_EQ(static_cast<int>(found.path.size()), params.step_count());
     PlanarState x{{0, 0}, {1.5, 0}};
     double turned = 0.0;
     for (const SearchNode& n : found.path) {
-      const MotionModel model = row.motion_model(params);
+      const MotionModel model = row.motion_model(params, walk.gait);
       const bool turns = model.kind == MotionModel::Kind::kCoordinatedTurn;
       const double half_step = 0.5 * std::abs(model.rate) * params.step_s;
       const bool done = turns && turned + half_step > params.max_turn_rad;
@@ -96,6 +99,19 @@ TEST(IntentionSearch, FindsNoTurnInANarrowCorridor) {
   }
 }
 
+TEST(IntentionSearch, TurnsBackInANarrowCorridorAndNobodyElsesPathDoes) {
+  const auto back =
+      search(request_from({-2, 0}, {1.5, 0}, Intention::kTurnBack), narrow_corridor());
+  ASSERT_EQ(back.outcome.status, SearchStatus::kFound);
+  EXPECT_LT(back.path.back().state.velocity_m_s.x(), -1.4);
+  EXPECT_LT(back.path.back().state.position_m.x(), -3.5);
+  for (const IntentionRow& row : kIntentions) {
+    if (row.id == Intention::kTurnBack) continue;
+    for (const SearchNode& n : search(request_from({-2, 0}, {1.5, 0}, row.id), open_field()).path)
+      EXPECT_NE(n.intention, Intention::kTurnBack);
+  }
+}
+
 TEST(IntentionSearch, GoesForwardAroundABendOrStopsInADeadEnd) {
   const auto bend = search(request_from({-1, 0}, {1.5, 0}, Intention::kForward), left_corner());
   ASSERT_EQ(bend.outcome.status, SearchStatus::kFound);
@@ -124,12 +140,13 @@ TEST(IntentionSearch, KeepsWholeArcsClearOfWalls) {
       if (exact_clearance_m(boxes, p) < params.target_radius_m + 0.15) continue;
       for (const IntentionRow& row : kIntentions) {
         const Vec2 v = random.uniform(0.5, 2.0) * direction_of(random.uniform(-kPi, kPi));
-        const auto found = search(request_from(p, v, row.id), map);
+        const SearchRequest request = request_from(p, v, row.id);
+        const auto found = search(request, map);
         if (found.outcome.status != SearchStatus::kFound) continue;
         ++paths;
         PlanarState x{p, v};
         for (const SearchNode& n : found.path) {
-          const MotionModel model = row_of(n.intention).motion_model(params);
+          const MotionModel model = row_of(n.intention).motion_model(params, request.gait);
           for (double t = 0.0; t <= params.step_s; t += 0.01)
             // A cell is occupied by its centre here, so a box may be a cell's half-diagonal off.
             ASSERT_GT(exact_clearance_m(boxes, advance(model, x, t).position_m),

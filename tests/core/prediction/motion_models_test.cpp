@@ -64,9 +64,27 @@ TEST(MotionModels, DecelerationEndsAtRestAndNeverGoesBackwards) {
   EXPECT_EQ(advance(model, {{1, 2}, {0, 0}}, 1.0).position_m, Vec2(1, 2));
 }
 
+TEST(MotionModels, AReversalSlowsDownTurnsRoundAndIsThenWalkedBack) {
+  const PlanarState east{{0, 0}, {1.5, 0}};
+  const auto model = MotionModel::reversal(3.0, {-1.5, 0});
+  EXPECT_NEAR(advance(model, east, 0.5).velocity_m_s.norm(), 0.0, 1e-12);
+  EXPECT_NEAR(advance(model, east, 0.5).position_m.x(), 1.5 * 1.5 / 6.0, 1e-12);  // v² / 2a
+  EXPECT_NEAR(advance(model, east, 1.0).position_m.x(), 0.0, 1e-12) << "back where it began";
+  EXPECT_NEAR(advance(model, east, 3.0).position_m.x(), -3.0, 1e-12);
+  EXPECT_EQ(advance(model, east, 3.0).velocity_m_s, Vec2(-1.5, 0));
+}
+
+TEST(MotionModels, AReversalIsNeverFasterThanAtItsStartOrItsGoal) {
+  const auto model = MotionModel::reversal(2.5, {-0.8, 0.7});
+  const double most = std::max(kWalker.velocity_m_s.norm(), model.goal_m_s.norm());
+  for (double t = 0.0; t < 3.0; t += 0.05)
+    EXPECT_LE(advance(model, kWalker, t).velocity_m_s.norm(), most + 1e-12);
+}
+
 TEST(MotionModels, TwoStepsAreOneLongStep) {
   for (const auto& model :
-       {MotionModel::constant_velocity(), MotionModel::turn(1.3), MotionModel::deceleration(0.8)}) {
+       {MotionModel::constant_velocity(), MotionModel::turn(1.3), MotionModel::deceleration(0.8),
+        MotionModel::reversal(1.9, {-1.0, 0.4})}) {
     const PlanarState once = advance(model, kWalker, 1.7);
     const PlanarState twice = advance(model, advance(model, kWalker, 0.9), 0.8);
     EXPECT_NEAR((once.position_m - twice.position_m).norm(), 0.0, 1e-12);
@@ -78,7 +96,8 @@ TEST(MotionModels, JacobiansMatchFiniteDifferences) {
   constexpr double kEps = 1e-6;
   for (const auto& model :
        {MotionModel::constant_velocity(), MotionModel::turn(-1.7), MotionModel::turn(0.0),
-        MotionModel::deceleration(0.5), MotionModel::deceleration(4.0)}) {
+        MotionModel::deceleration(0.5), MotionModel::deceleration(4.0),
+        MotionModel::reversal(1.5, {-1.0, 0.2}), MotionModel::reversal(9.0, {-1.0, 0.2})}) {
     const MotionJacobian j = jacobian(model, kWalker, 0.6);
     for (int axis = 0; axis < 2; ++axis) {
       PlanarState plus = kWalker, minus = kWalker;

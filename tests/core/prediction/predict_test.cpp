@@ -97,7 +97,7 @@ TEST(Predict, GivesEachPossibleIntentionItsPathInTheOpen) {
   params.path_probability_min = 0.0;
   const auto& result = predict(state, walker({0, 0}, {1.5, 0.0}), open_field(), params);
   EXPECT_EQ(result.prediction.status, PredictionStatus::kOk);
-  EXPECT_EQ(result.prediction.paths.size(), 4u);
+  EXPECT_EQ(result.prediction.paths.size(), kIntentions.size());
   expect_sound(result, params);
   for (const auto& path : result.prediction.paths)
     EXPECT_NEAR(path.probability, result.intention[path.intention].probability, 1e-12);
@@ -108,7 +108,7 @@ TEST(Predict, SharesTheProbabilityOfImpossibleIntentionsAmongTheOthers) {
   PredictionParams params;
   params.path_probability_min = 0.0;
   const auto& result = predict(state, walker({-2, 0}, {1.5, 0.0}), narrow_corridor(), params);
-  ASSERT_EQ(result.prediction.paths.size(), 2u);
+  ASSERT_EQ(result.prediction.paths.size(), 3u) << "no turn to a side";
   expect_sound(result, params);
   const double ratio =
       result.prediction.paths[0].probability / result.prediction.paths[1].probability;
@@ -125,13 +125,14 @@ TEST(Predict, LeavesOutPathsThatAreTooUnlikelyToMatter) {
   TargetState target = walker({0, 0}, {1.5, 0.0});
   target.body_yaw_rad = rad(3.0);  // else both turns are as likely
   const auto& complete = predict(all, target, open_field(), params).prediction;
-  ASSERT_EQ(complete.paths.size(), 4u);
+  ASSERT_EQ(complete.paths.size(), kIntentions.size());
+  const std::size_t last = complete.paths.size() - 1;
   params.path_probability_min =
-      0.5 * (complete.paths[2].probability + complete.paths[3].probability);
+      0.5 * (complete.paths[last - 1].probability + complete.paths[last].probability);
   const auto& result = predict(likely, target, open_field(), params);
-  ASSERT_EQ(result.prediction.paths.size(), 3u);
+  ASSERT_EQ(result.prediction.paths.size(), last);
   expect_sound(result, params);
-  EXPECT_EQ(path_of(result.prediction, complete.paths[3].intention), nullptr);
+  EXPECT_EQ(path_of(result.prediction, complete.paths[last].intention), nullptr);
   params.path_probability_min = 0.25;  // the likeliest is always there
   EXPECT_GE(predict(likely, walker({0, 0}, {1.5, 0.0}, 2.0), left_branch(), params)
                 .prediction.paths.size(),
@@ -156,6 +157,29 @@ TEST(Predict, ExpectsAStopOnceTheSpeedFallsAndTheChestDoesNotTurn) {
   EXPECT_LT(before, 0.05);
   EXPECT_GT(braking, 0.2);
   EXPECT_GT(braking, 20.0 * before);
+}
+
+TEST(Predict, ExpectsWhoBrakesWithTheChestTurnedRoundToComeBack) {
+  PredictionState state;
+  const PredictionParams params;
+  double before = 0.0, turning = 0.0, x_m = 0.0, speed_m_s = 1.5, chest_rad = 0.0;
+  const PredictedPath* back = nullptr;
+  for (int i = 0; i <= 34; ++i) {
+    const bool turns = i > 22;
+    speed_m_s -= turns ? 3.0 * 0.04 : 0.0;
+    chest_rad = turns ? std::min(kPi, chest_rad + 5.0 * 0.04) : 0.0;
+    x_m += 0.04 * speed_m_s;
+    TargetState target = walker({x_m - 2.0, 0.0}, {speed_m_s, 0.0}, 0.04 * i);
+    target.body_yaw_rad = wrap_angle(chest_rad);
+    const auto& result = predict(state, target, open_field(), params);
+    turning = result.intention[Intention::kTurnBack].probability;
+    if (!turns) before = turning;
+    back = path_of(result.prediction, Intention::kTurnBack);
+  }
+  EXPECT_LT(before, 0.05);
+  EXPECT_GT(turning, 0.5);
+  ASSERT_NE(back, nullptr);
+  EXPECT_LT(back->states.back().position_enu_m.x(), x_m - 2.0 - 1.5) << "a path that comes back";
 }
 
 TEST(Predict, HardlyLeavesItsPlaceAtZeroSpeed) {

@@ -10,8 +10,16 @@ namespace {
 
 using namespace foretrack::testing;
 
-constexpr Probabilities kForward = {1.0, 0.0, 0.0, 0.0}, kLeft = {0.4, 0.6, 0.0, 0.0},
-                        kRight = {0.4, 0.0, 0.6, 0.0}, kBrake = {0.3, 0.0, 0.0, 0.7};
+constexpr Probabilities sure_of(Intention i, double p = 0.6) {
+  Probabilities all{1.0 - p};
+  all[index_of(i)] += p;
+  return all;
+}
+constexpr Probabilities kForward = sure_of(Intention::kForward),
+                        kLeft = sure_of(Intention::kTurnLeft),
+                        kRight = sure_of(Intention::kTurnRight),
+                        kBrake = sure_of(Intention::kDecelerate),
+                        kBack = sure_of(Intention::kTurnBack);
 
 struct Saying {
   double from_s, to_s;
@@ -33,13 +41,13 @@ IntentionScorer score(const Truth& truth, const std::vector<Saying>& sayings) {
 
 TEST(IntentionScorer, LeadCountsFromTheEndOfTheHoldAndOtherAnnouncementsAreFalse) {
   const Truth truth = left_turn(12.0, 4.0);
-  const double onset_s = turns_of(truth)[0].onset_s;
+  const double onset_s = turns_of(truth)[0].begin_s;
   const auto report =
       score(truth, {{1.0, 1.2, kLeft}, {3.52, 4.6, kLeft}, {8.0, 8.2, kRight}}).report();
   ASSERT_EQ(report.turns.events, 1);
   EXPECT_EQ(report.turns.by_onset, 1);
   EXPECT_NEAR(report.turns.median_lead_s, onset_s - 3.6, 1e-9);
-  EXPECT_NEAR(report.turns.false_alarms_per_min, 2.0 * 60.0 / 11.0, 0.2);
+  EXPECT_NEAR(report.turns.false_alarms_per_min, 2.0 * 60.0 / 10.0, 0.2);
 }
 
 TEST(IntentionScorer, FlickerAnnouncesNothingAndGapsAreForgiven) {
@@ -48,7 +56,7 @@ TEST(IntentionScorer, FlickerAnnouncesNothingAndGapsAreForgiven) {
   EXPECT_EQ(flicker.turns.false_alarms_per_min, 0.0);
   EXPECT_EQ(flicker.turns.median_lead_s, -1.0);
   const auto gap = score(truth, {{3.4, 3.6, kLeft}, {3.76, 4.6, kLeft}}).report();
-  EXPECT_NEAR(gap.turns.median_lead_s, turns_of(truth)[0].onset_s - 3.48, 1e-9);
+  EXPECT_NEAR(gap.turns.median_lead_s, turns_of(truth)[0].begin_s - 3.48, 1e-9);
 }
 
 TEST(IntentionScorer, TheWrongSideAnnouncesATurnButNotThisOne) {
@@ -62,8 +70,16 @@ TEST(IntentionScorer, TheWrongSideAnnouncesATurnButNotThisOne) {
 TEST(IntentionScorer, AStopIsAnnouncedLateForNothingForetellsIt) {
   const auto report = score(sudden_stop(12.0, 4.0), {{4.2, 4.6, kBrake}}).report();
   ASSERT_EQ(report.stops.events, 1);
-  EXPECT_NEAR(report.stops.median_lead_s, -0.26, 0.03);
+  EXPECT_NEAR(report.stops.median_lead_s, -0.28, 0.03);
   EXPECT_EQ(report.stops.false_alarms_per_min, 0.0);
+}
+
+TEST(IntentionScorer, ATurnBackIsAnnouncedByItsOwnProbability) {
+  const auto report = score(turn_back(12.0, 4.0), {{3.0, 4.4, kBack}}).report();
+  ASSERT_EQ(report.turn_backs.events, 1);
+  EXPECT_EQ(report.turn_backs.by_onset, 1);
+  EXPECT_NEAR(report.turn_backs.median_lead_s, 4.0 - 3.08, 0.03);
+  EXPECT_EQ(report.stops.events, 0) << "who slows down to turn back does not stop";
 }
 
 TEST(IntentionScorer, TheTruthHasSkillOneAndTheBaseRatesHaveNone) {

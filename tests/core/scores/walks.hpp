@@ -37,4 +37,10 @@ inline Truth sudden_stop(double for_s, double at_s) {
   });
 }
 
+/// Turns back on the line of the walk from at_s on, at 3 m/s².
+inline Truth turn_back(double for_s, double at_s) {
+  return walk(for_s,
+              [=](double t) { return Vec2(1.5 - 3.0 * std::clamp(t - at_s, 0.0, 1.0), 0.0); });
+}
+
 }  // namespace foretrack::testing

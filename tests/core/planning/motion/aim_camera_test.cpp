@@ -15,17 +15,18 @@ class AimCamera : public ::testing::Test {
     trajectory_.pieces = {hover};
   }
   void expect(std::initializer_list<std::pair<double, Vec3>> places) {
-    expected_.count = 0;
+    belief_ = {};
     for (const auto& [probability, place] : places) {
-      ExpectedPath& path = expected_.paths[expected_.count++];
+      PredictedPath& path = belief_.paths[belief_.count++];
       path.probability = probability;
-      path.positions_enu_m.assign(15, place);
-      path.velocities_enu_m_s.assign(15, Vec3::Zero());
+      path.states.push_back({.time_s = 0.2, .position_enu_m = place});
     }
+    align(belief_, 0.0, params_.horizon, expected_);
   }
   double end_rad() const { return trajectory_.yaw.at(3.0).angle_rad; }
 
   PlanStart start_;
+  TargetBelief belief_;
   ExpectedTarget expected_;
   PlanningParams params_;
   AimWorkspace workspace_;

@@ -52,6 +52,15 @@ TEST_F(TargetBeliefTest, APathGoesOnForAMomentAfterItsEndAndThenStands) {
   }
 }
 
+TEST_F(TargetBeliefTest, BetweenItsSamplesAPathIsTheBelievedOne) {
+  const Prediction prediction = two_paths();
+  update_belief(belief_, {}, &prediction, params_);
+  align(belief_, 10.13, params_, expected_);
+  EXPECT_NEAR(expected_.paths[0].position(0.0).x(), 1.0 + 0.13, 1e-9);
+  EXPECT_NEAR(expected_.paths[0].position(0.71).x(), 1.0 + 0.13 + 0.71, 1e-9);
+  EXPECT_NEAR(expected_.paths[0].position(9.0).x(), 1.0 + 3.0 + 0.4, 1e-9);
+}
+
 TEST_F(TargetBeliefTest, LeavesOutUnlikelyPathsAndKeepsProbabilitiesNormalised) {
   Prediction prediction = two_paths();
   update_belief(belief_, {}, &prediction, params_);
