@@ -29,6 +29,7 @@ inline constexpr std::array<std::string_view, 11> kIncidentNames = {
     "well", "terminate", "deny",   "ignore",   "obey"};
 inline constexpr std::array<std::string_view, 9> kFlightModeNames = {
     "unknown", "offboard", "pilot", "hold", "take_off", "return", "land", "termination", "other"};
+/// As scenario files have it.
 constexpr std::string_view to_string(FlightMode mode) {
   return kFlightModeNames[static_cast<std::size_t>(mode)];
 }

@@ -29,6 +29,7 @@ struct GapParams {
 
   BodyMotionBounds bounds() const { return {body_speed_m_s, body_acceleration_m_s2}; }
 };
+/// One row for each field: name, unit, range, meaning.
 ParamRows rows(GapParams& params);
 
 /// One course that one body may take.

@@ -50,13 +50,13 @@ void add_distance_band(const Vec3& p, const Vec3& target, double low_m, double h
 void add_height_band(const Vec3& p, double height_m, double band_m, double weight,
                      PointPenalty& sum);
 
-/// G = wanted gap − the gap in space between the vehicle's ball around p and an upright cylinder
-/// that stands on `foot`.
+/// An upright cylinder that stands on `foot`: somebody's body.
 struct Pillar {
   Vec3 foot = Vec3::Zero();
   double radius_m = 0.25;
   double height_m = 1.75;
 };
+/// G = wanted gap − the gap in space between the vehicle's ball around p and the cylinder.
 void add_gap(const Vec3& p, double ball_radius_m, const Pillar& pillar, double wanted_m,
              double weight, PointPenalty& sum);
 

@@ -34,10 +34,11 @@ struct FlightSurface {
 FlightSurface choose_flight_surface(const GridMap& map, const Vec3& start_enu_m,
                                     const Vec3& target_enu_m, const PlanningParams& params);
 
+/// How many other levels there are to try.
+inline constexpr int kOtherLevels = 6;
 /// The i-th other level, i = 0 … kOtherLevels − 1: for when no way was found, as something that is
 /// not around the vehicle or the target lies between them. It is flat: the vehicle rises or sinks
 /// to it where it is. None where that is not clear.
-inline constexpr int kOtherLevels = 6;
 std::optional<FlightSurface> other_flight_surface(const GridMap& map, const Vec3& start_enu_m,
                                                   const Vec3& target_enu_m, int i,
                                                   const PlanningParams& params);
