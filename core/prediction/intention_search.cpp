@@ -242,7 +242,8 @@ void prepare(SearchWorkspace& w, const PredictionParams& params, IntentionTable 
 
 bool arc_is_free(const GridMap& map, double height_m, const MotionModel& model,
                  const PlanarState& start, double duration_s, double clearance_m) {
-  const double speed = start.velocity_m_s.norm();
+  // Nowhere on the arc it is faster than at its start, or where a reversal ends.
+  const double speed = std::max(start.velocity_m_s.norm(), model.goal_m_s.norm());
   const double least_step_m = 0.5 * map.resolution_m;
   double time_s = 0.0;
   while (true) {

@@ -167,6 +167,13 @@ TEST(IntentionSearch, DoesNotJumpOverAThinWall) {
       arc_is_free(map, 1.2, MotionModel::constant_velocity(), {{1.5, 0}, {8, 0}}, 0.2, 0.3));
 }
 
+TEST(IntentionSearch, AReversalThatGathersSpeedDoesNotJumpOverAThinWall) {
+  const GridMap map = map_of({{-0.6, -0.5, -8, 8}});
+  const PlanarState slow{{0.0, 0.0}, {0.05, 0.0}};
+  EXPECT_FALSE(arc_is_free(map, 1.2, MotionModel::reversal(5.0, {-4.0, 0.0}), slow, 1.0, 0.3));
+  EXPECT_TRUE(arc_is_free(map, 1.2, MotionModel::reversal(5.0, {4.0, 0.0}), slow, 1.0, 0.3));
+}
+
 TEST(IntentionSearch, LetsAStartTooNearAWallGoOnButNotDeeper) {
   // The wall's face is at y = 1; the target seems to be 0.15 m from it.
   const GridMap map = map_of({{-8, 8, 1, 8}});

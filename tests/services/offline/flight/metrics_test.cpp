@@ -165,13 +165,13 @@ TEST(Metrics, LeadAndFalseAlarmsAreThoseOfTheScores) {
   turn_left(rows, 4.0);
   const int left = index_of(Intention::kTurnLeft), right = index_of(Intention::kTurnRight);
   change(rows, 3.6, 4.5, [&](FlightRow& r) { r.beliefs[left].probability = 0.6; });
-  change(rows, 8.0, 8.2, [&](FlightRow& r) { r.beliefs[right].probability = 0.7; });
+  change(rows, 7.0, 7.2, [&](FlightRow& r) { r.beliefs[right].probability = 0.7; });
   const Metrics m = metrics_of(rows, {});
   const IntentionReport report = score_intentions(rows, truth_of(rows)).report();
   EXPECT_EQ(m.foreseen, 1);
   EXPECT_NEAR(m.lead_time_median_s, 0.4, 0.1);
   EXPECT_NEAR(m.lead_time_median_s, report.turns.median_lead_s, 1e-12);
-  EXPECT_NEAR(m.false_alarms_per_min, 60.0 / 9.0, 0.1);
+  EXPECT_NEAR(m.false_alarms_per_min, 60.0 / 8.0, 0.1);
   EXPECT_GT(m.brier, 0.0);
   EXPECT_NEAR(m.brier_base, report.base_brier, 1e-12);
 }
