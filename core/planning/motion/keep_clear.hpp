@@ -20,7 +20,7 @@ struct GapParams {
   double unlikely_horizon_s = 1.0;      // those of less likely courses
   double course_probability_min = 0.1;  // less likely courses do not count
   double reaction_s = 0.1;              // until a stop can begin
-  double retreat_s = 0.3;               // from the stop until it has left that place
+  double retreat_s = 0.0;               // from the stop until it has left that place
   double body_speed_m_s = 2.0;          // a body may be so fast at any moment, or as it is seen
   double body_acceleration_m_s2 = 3.0;  // and change its velocity so fast
   double person_height_m = 1.75;        // of the followed person

@@ -32,6 +32,7 @@ class RingSearch {
             static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {
     if (context.courses == nullptr) return;
     for (const BodyCourse& course : context.courses->all()) {
+      if (time_s - context.start_s > course.horizon_s) continue;
       const Vec3 foot = course.body.expected_at(time_s);
       if (distance_xy(foot, target) > kNearby_m) continue;
       nearby_[nearby_count_++] = {foot, course.body.radius_m, course.body.height_m,

@@ -50,9 +50,9 @@ Json safety(const Metrics& m) {
 
 Json people(const Metrics& m) {
   return {{"person_contacts", m.person_contacts},
-          {"min_person_gap_m", finite(m.min_person_gap_m)},
+          {"min_person_gap_m", finite_json(m.min_person_gap_m)},
           {"bystander_contacts", m.bystander_contacts},
-          {"min_bystander_gap_m", finite(m.min_bystander_gap_m)},
+          {"min_bystander_gap_m", finite_json(m.min_bystander_gap_m)},
           {"evading_s", m.evading_s},
           {"failure_rate_not_evading", m.failure_rate_not_evading},
           {"near_rate_not_evading", m.near_rate_not_evading},
