@@ -21,7 +21,7 @@ Prediction turning() {
   Prediction prediction;
   prediction.stamp_s = 9.9;
   prediction.status = PredictionStatus::kOk;
-  PredictedPath likely{Intention::kTurnLeft, 0.8, {}}, other{Intention::kForward, 0.2, {}};
+  PredictedPath likely{Intention{1}, 0.8, {}}, other{Intention{0}, 0.2, {}};
   for (int k = 1; k <= 15; ++k) {
     const double t = 0.2 * k;
     const Vec3 place(1.85 + 1.5 * std::min(t, 1.0), 1.0 + 1.5 * std::max(t - 1.0, 0.0), 1.2);

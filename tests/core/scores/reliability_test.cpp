@@ -30,7 +30,9 @@ TEST(Reliability, BinsHaveEqualMassAndRisingProbability) {
   int sum = 0;
   for (std::size_t b = 0; b < bins.size(); ++b) {
     EXPECT_TRUE(bins[b].count == 66 || bins[b].count == 67);
-    if (b > 0) EXPECT_GT(bins[b].probability, bins[b - 1].probability);
+    if (b > 0) {
+      EXPECT_GT(bins[b].probability, bins[b - 1].probability);
+    }
     sum += bins[b].count;
   }
   EXPECT_EQ(sum, 1003);
