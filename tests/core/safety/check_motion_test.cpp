@@ -95,7 +95,7 @@ TEST(CheckMotion, WhateverPassesObeysTheLimitsAtEverySampleAndWhatObeysThemPasse
       EXPECT_LE(peaks.acceleration, 5.0 * 1.0011);
       EXPECT_LE(peaks.yaw_rate, 2.0 * 1.0011);
     }
-    if (!near) EXPECT_EQ(passes, obeys) << i;
+    EXPECT_TRUE(near || passes == obeys) << i;
     ++(passes ? passed : refused);
   }
   EXPECT_GT(passed, 300);
