@@ -84,7 +84,7 @@ TEST(Bystander, StandsInDepthImagesAndNotOnTheKnownMap) {
   EXPECT_NEAR(ahead_m, 4.0 - 2.0 - kPersonRadius_m, 0.15);
   EXPECT_TRUE(state.world.cylinders.empty());
   const GridMap map = known_map(state.world, 0.15);
-  EXPECT_EQ(map.at({-2.0, 0.0, 1.0}), Cell::kFree);
+  EXPECT_EQ(map.cell_at({-2.0, 0.0, 1.0}), Cell::kFree);
 }
 
 TEST(Bystander, IsTruthAndSightingInTheOutputWhereThereIsOneAndNothingElsewhere) {

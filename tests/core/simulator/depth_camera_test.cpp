@@ -104,7 +104,9 @@ TEST(DepthCamera, TakesAsManyImagesAsItsRate) {
     vehicle.stamp_s = 0.01 * i;
     const DepthImage* image = image_depth(camera, {}, vehicle, person_at(3, 0), 1.75);
     images += image != nullptr;
-    if (image) EXPECT_EQ(image->stamp_s, vehicle.stamp_s);
+    if (image) {
+      EXPECT_EQ(image->stamp_s, vehicle.stamp_s);
+    }
   }
   EXPECT_EQ(images, 15);
 }

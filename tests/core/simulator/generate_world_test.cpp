@@ -49,7 +49,7 @@ TEST(GenerateWorld, EveryShapeStandsOnTheGroundAndScatteredOnesAreInsideTheBound
       EXPECT_EQ(b.min_m.z(), low.z()) << kWorldKindNames[k];
       const bool scattered = static_cast<WorldKind>(k) <= WorldKind::kBlocks ||
                              static_cast<WorldKind>(k) == WorldKind::kHedges;
-      if (scattered) EXPECT_TRUE(world.contains(b.min_m) && world.contains(b.max_m));
+      EXPECT_TRUE(!scattered || (world.contains(b.min_m) && world.contains(b.max_m)));
     }
     for (const Cylinder& c : world.cylinders) {
       EXPECT_EQ(c.base_m, low.z());

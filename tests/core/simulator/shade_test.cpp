@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace foretrack {
 namespace {
 
@@ -31,12 +33,12 @@ Canvas wall(const Texture& texture, double z_m, float left = 1.0F, float right =
 }
 
 TEST(Shade, AColourIsThatOfItsTextureTimesTheLight) {
-  const Texture texture = plain(100, 40, 200);
+  constexpr std::array<int, 3> kColor{100, 40, 200};
+  const Texture texture = plain(kColor[0], kColor[1], kColor[2]);
   for (const float light : {0.5F, 1.0F, 1.2F}) {
     const Canvas canvas = wall(texture, 3.0, light, light);
     for (const int x : {0, 80, 159})
-      for (int k = 0; k < 3; ++k)
-        EXPECT_NEAR(canvas.color.pixel(x, 60)[k], light * std::array{100, 40, 200}[k], 2.0);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(canvas.color.pixel(x, 60)[k], light * kColor[k], 2.0);
   }
 }
 
