@@ -85,8 +85,7 @@ TEST(CheckPlan, TakesAPlanThatBeginsWhereTheVehicleIsAndNotWhereItShouldBe) {
   Given loop;
   loop.displaced = loop.vehicle.position_enu_m + Vec3(0, 0.45, 0);
   loop.run(0.05);
-  PlannedTrajectory plan =
-      still_plan(++loop.last_plan, loop.stamp_now_s() + 0.02, loop.vehicle.position_enu_m);
+  PlannedTrajectory plan = still_plan(++loop.last_plan, loop.stamp_now_s() + 0.02, *loop.displaced);
   EXPECT_EQ(loop.give(plan), PlanFault::kNone);
 }
 
