@@ -74,8 +74,7 @@ double least_target_distance_m(const PlannedTrajectory& trajectory, double from_
                                const ExpectedPath& path, const HorizonParams& horizon) {
   double least_m = std::numeric_limits<double>::infinity();
   for (double t_s = 0.0; t_s <= horizon.horizon_s; t_s += kDistanceStep_s)
-    least_m = std::min(least_m, distance_xy(trajectory.position(from_s + t_s),
-                                            path.position(t_s, horizon.step_s)));
+    least_m = std::min(least_m, distance_xy(trajectory.position(from_s + t_s), path.position(t_s)));
   return least_m;
 }
 
