@@ -128,7 +128,7 @@ TEST(MissionCommandMessage, RefusesEachBadField) {
       message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kStop}),
       {
           {"header.stamp", [](M& m) { m.header().stamp().sec(-1); }},
-          {"command", [](M& m) { m.command(9); }},
+          {"command", [](M& m) { m.command(10); }},
           {"id", [](M& m) { m.id(0); }},
       },
       [](const M& m) { return from_idl(m); });

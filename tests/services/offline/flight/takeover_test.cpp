@@ -44,9 +44,8 @@ TEST(Takeover, APilotsModeAndSticksAreNeverUndone) {
                                 FlightMode::kLand, FlightMode::kOther}) {
     const FlightResult flight = flight_with({{kIncident_s, IncidentKind::kMode, mode}});
     expect_given_up(flight, to_string(mode));
-    const FlightMode at_the_end = flight.rows.back().autopilot.mode;
-    EXPECT_TRUE(at_the_end == mode ||
-                (mode == FlightMode::kReturn && at_the_end == FlightMode::kLand));
+    const FlightMode later = row_at(flight, kIncident_s + 1.0).autopilot.mode;
+    EXPECT_TRUE(later == mode || (mode == FlightMode::kReturn && later == FlightMode::kLand));
   }
   expect_given_up(flight_with({{kIncident_s, IncidentKind::kSticks}}), "sticks");
 }
