@@ -32,7 +32,10 @@ struct Stage {
   double between(double low, double high) { return random.uniform(low, high); }
   double start_s() const { return scenario.target.person.start_s; }
   // Where the followed person, who walks straight on, will be.
-  double followed_x_m(double at_s) const { return followed_m_s * std::max(0.0, at_s - start_s()); }
+  double followed_x_m(double at_s) const {
+    const double setting_off_s = 0.5 * followed_m_s / scenario.target.person.acceleration_m_s2;
+    return followed_m_s * std::max(0.0, at_s - start_s() - setting_off_s);
+  }
   double side_m() { return random.chance(0.5) ? 1.0 : -1.0; }
   bool walled() const { return place != EncounterPlace::kOpen; }
   // The times at which somebody is met.

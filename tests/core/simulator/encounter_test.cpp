@@ -60,7 +60,7 @@ TEST(Encounter, TheSeedDecidesPlaceAndPeople) {
   EXPECT_EQ(a.bystanders[1].route_m, b.bystanders[1].route_m);
   std::array<int, kEncounterPlaceNames.size()> places{};
   std::array<int, 9> groups{};
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     ++places[static_cast<std::size_t>(
         staged(EncounterKind::kTurnBack, 1.5, seed).encounter->place)];
     ++groups[staged(EncounterKind::kGroup, 1.5, seed).bystanders.size()];
