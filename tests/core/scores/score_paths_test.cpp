@@ -23,6 +23,7 @@ PredictedPath path_of(const TargetState& target, double probability, double asid
     z.time_s = 0.2 * k;
     z.position_enu_m = target.position_enu_m + z.time_s * target.velocity_enu_m_s;
     z.position_enu_m.y() += aside_m * z.time_s / 3.0;
+    z.velocity_enu_m_s = target.velocity_enu_m_s + Vec3(0.0, aside_m / 3.0, 0.0);
   }
   return path;
 }
