@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kAgain_s = 1.0;
 constexpr double kRepeatStop_s = 0.1;
+constexpr double kWriting_s = 3.0;  // that a slow disk may take; a second order would be refused
 
 // Ids of one operator grow, also over several runs of a program.
 std::uint64_t next_id(const std::vector<std::uint64_t>& sent) {
@@ -29,6 +30,7 @@ void OrderSender::update() {
     const auto result = static_cast<MissionResult>(state.command_result());
     const bool is_ours = std::ranges::find(sent_, state.command_id()) != sent_.end();
     if (is_ours && result != MissionResult::kPending) result_ = result;
+    if (is_ours && result == MissionResult::kPending) next_s_ = steady_s() + kWriting_s;
   });
   const double now_s = steady_s();
   if (!result_ && !gate_text_.empty() && writer_.readers() > 0 && now_s >= next_s_) send(now_s);

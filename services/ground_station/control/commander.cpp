@@ -74,8 +74,8 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
     return;
   const auto order = static_cast<MissionOrder>(state.command());
   const auto result = static_cast<MissionResult>(state.command_result());
-  if (result == MissionResult::kPending) return;  // the vehicle is writing it down
-  if (!is_about_lease(order) && state.command_id() != 0) {
+  const bool is_news = result != MissionResult::kPending && state.command_id() != 0;
+  if (is_news && !is_about_lease(order)) {
     const bool ok = is_accepted(result);
     mission.command_id = state.command_id();
     mission.command = to_string(order);

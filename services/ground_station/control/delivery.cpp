@@ -76,6 +76,10 @@ void Delivery::settle(std::uint64_t command_id, MissionResult result) {
   std::vector<std::pair<Report, Outcome>> done;
   std::erase_if(pending_, [&](Pending& p) {
     const bool answered = std::find(p.sent.begin(), p.sent.end(), command_id) != p.sent.end();
+    if (answered && result == MissionResult::kPending) {
+      p.retried = true;  // a second one would be refused, as the first acts already
+      return false;
+    }
     if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && gate.stopped))
       return false;
     const bool ok = !answered || is_accepted(result);

@@ -47,7 +47,7 @@ class Delivery {
       : vehicle_(std::move(vehicle)), writer_(std::move(writer)) {}
 
   void order(MissionOrder order, const std::string& name, Key key, double now_s, Report report);
-  /// What the gate says of an order.
+  /// What the gate says of an order. One that it is still writing down was heard, and waits on.
   void settle(std::uint64_t command_id, MissionResult result);
   /// Sends what is due, gives up what has waited too long. on_unanswered: of an order that a gate
   /// which is heard does not answer.

@@ -22,7 +22,8 @@ using testing::node_options;
 class Gate {
  public:
   bool deaf = false;
-  int orders = 0;  // that came, also to deaf ears
+  bool writing = false;  // a slow disk: what was taken is not yet confirmed
+  int orders = 0;        // that came, also to deaf ears
   double latest_stamp_s = 0.0;
   Mission mission{.phase = MissionPhase::kTracking, .engaged = true};
 
@@ -37,10 +38,12 @@ class Gate {
                                    m.operator_id().c_str(),
                                    m.lease_id().c_str(),
                                    is_proved("uav1", m)};
-      state_.command_result(static_cast<std::uint8_t>(apply(command, mission, {now_s, now_s}, {})));
+      result_ = apply(command, mission, {now_s, now_s}, {});
       state_.command_id(m.id());
       state_.command(m.command());
     });
+    const bool pending = writing && result_ == MissionResult::kAccepted;
+    state_.command_result(static_cast<std::uint8_t>(pending ? MissionResult::kPending : result_));
     state_.phase(static_cast<std::uint8_t>(mission.phase));
     return to_cdr(type_ops<foretrack_msgs::msg::SafetyState>(), &state_);
   }
@@ -49,6 +52,7 @@ class Gate {
   Node node_{node_options("gate")};
   Reader<topics::MissionCommand> orders_{node_};
   foretrack_msgs::msg::SafetyState state_;
+  MissionResult result_ = MissionResult::kNone;
 };
 
 class Orders : public ::testing::Test {
@@ -116,6 +120,20 @@ TEST_F(Orders, AreNotOfTheFutureWhereTheVehiclesSimulatedClockStands) {
   commander_.tick(now_s());
   EXPECT_TRUE(until([&] { return gate_.orders > before; }));
   EXPECT_LT(gate_.latest_stamp_s, 0.5);
+}
+
+TEST_F(Orders, OneThatIsBeingWrittenDownIsNotSentAgain) {
+  gate_.writing = true;
+  asked("hold");
+  EXPECT_TRUE(until([&] { return gate_.mission.phase == MissionPhase::kHolding; }));
+  const int orders = gate_.orders;
+  step();
+  skipped_s_ += 1.5;
+  for (int i = 0; i < 50; ++i) step();
+  EXPECT_EQ(gate_.orders, orders) << "a second one would be refused, as the first acts already";
+  EXPECT_FALSE(outcome_);
+  gate_.writing = false;
+  EXPECT_TRUE(until([&] { return asked("hold"); }));
 }
 
 TEST_F(Orders, OneThatIsLostIsUnconfirmedAndArrivesWhenTheBusWasJoinedAnew) {

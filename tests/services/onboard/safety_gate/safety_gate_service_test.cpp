@@ -132,20 +132,25 @@ class SafetyGateOnDds : public ::testing::Test {
   bool ordered(MissionOrder order, MissionResult result = MissionResult::kAccepted,
                const LeaseKey* key = nullptr) {
     std::uint64_t sent = 0;
-    double sent_s = 0.0;
+    double again_s = 0.0;
     return until([&] {
-      if (reports_ > 0 && order_.readers() > 0 && neighbours_.now_s() - sent_s > 0.5) {
-        send_order(order, key);
-        sent = order_id_;
-        sent_s = neighbours_.now_s();
-      }
-      return sent > 0 && report_.result.command_id == sent &&
-             report_.result.command_result == result;
+      const bool answered = sent > 0 && report_.result.command_id == sent;
+      const bool waits = answered && report_.result.command_result == MissionResult::kPending;
+      if (answered && report_.result.command_result == result) return true;
+      if (reports_ == 0 || order_.readers() == 0 || waits || neighbours_.now_s() < again_s)
+        return false;
+      send_order(order, key);
+      sent = order_id_;
+      again_s = neighbours_.now_s() + 1.0;
+      return false;
     });
   }
   bool tracks() {
-    return ordered(MissionOrder::kStart) && until([&] { return says(SafetyMode::kTrack); }) &&
-           until([&] { return setpoints_ > 5; });
+    if (!ordered(MissionOrder::kStart)) return false;
+    const auto flies = [&] { return says(SafetyMode::kTrack) && says(MissionPhase::kTracking); };
+    if (!until(flies)) return false;
+    const int before = setpoints_;
+    return until([&] { return setpoints_ > before + 5; });
   }
   // Two seconds of reports in which nothing is asked of the flight controller and nothing is flown.
   bool stays_silent() {
