@@ -6,6 +6,7 @@
 namespace foretrack {
 namespace {
 
+constexpr double kReaction_s = 0.4;  // from what is seen to the stop
 constexpr double kNoWorse_m = 0.02;  // that a course nearer to a body may seem
 
 PlanFault check_time(const PlannedTrajectory& plan, const Situation& now,
@@ -89,7 +90,8 @@ PlanFault check_plan(const PlannedTrajectory& plan, const Situation& now,
 
 PlanFault check_flown(const Situation& now, const PlanCheckParams& params) {
   const Course course(*now.flown, now.moment.now_s - now.flown->start_s);
-  const double until_s = params.look_ahead_s;
+  const double until_s =
+      std::min(params.look_ahead_s, kReaction_s + stop_of(now, params).duration_s());
   if (now.around.map &&
       time_at_obstacle(course, *now.around.map, params.clearances.vehicle_radius_m,
                        params.limits.acceleration_m_s2, until_s) >= 0.0)

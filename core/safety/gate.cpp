@@ -9,7 +9,8 @@ namespace foretrack {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kOfLate_s = 1.0;  // after so long without plans, a planner may count anew
+constexpr double kConfirm_s = 0.1;  // in which a newer plan may lead clear of what is in the way
+constexpr double kOfLate_s = 1.0;   // after so long without plans, a planner may count anew
 
 bool is_known(double at_s, double now_s, double stale_s) {
   return at_s >= 0.0 && now_s - at_s <= stale_s;
@@ -169,7 +170,8 @@ void look_at_plan(GateState& s, const GateInput& in, const SafetyParams& p, Ladd
   now.flown = &s.flown;
   const PlanFault fault = ladder.plan_ended ? PlanFault::kNone : check_flown(now, p.plan_check());
   if (fault != PlanFault::kNone) s.flown_fault = fault;
-  const bool unsafe = s.flown_latch.update(fault != PlanFault::kNone, in.now_s, 0.0, p.recover_s);
+  const bool unsafe =
+      s.flown_latch.update(fault != PlanFault::kNone, in.now_s, kConfirm_s, p.recover_s);
   ladder.flown = unsafe ? s.flown_fault : PlanFault::kNone;
 }
 
