@@ -67,13 +67,16 @@ struct Peaks {
   double speed = 0.0, acceleration = 0.0, yaw_rate = 0.0;
 };
 Peaks sampled(const PlannedTrajectory& plan) {
+  constexpr int kSamples = 1000;  // a piece, with both its ends
   Peaks peaks;
-  const double end_s = plan.duration_s();
-  for (double t = 0.0; t <= end_s; t += 1e-3) {
-    peaks.speed = std::max(peaks.speed, plan.velocity(t).norm());
-    peaks.acceleration = std::max(peaks.acceleration, plan.acceleration(t).norm());
+  for (const QuinticPiece& piece : plan.pieces)
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = piece.duration_s * i / kSamples;
+      peaks.speed = std::max(peaks.speed, piece.velocity(t).norm());
+      peaks.acceleration = std::max(peaks.acceleration, piece.acceleration(t).norm());
+    }
+  for (double t = 0.0; t <= plan.duration_s(); t += 1e-3)
     peaks.yaw_rate = std::max(peaks.yaw_rate, std::abs(plan.yaw.at(t).rate_rad_s));
-  }
   return peaks;
 }
 
