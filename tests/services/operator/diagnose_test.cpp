@@ -131,8 +131,8 @@ TEST(Diagnose, SaysWhyEverySampleWasRejected) {
 TEST(Diagnose, SaysInPlainWordsWhyThereIsNoPlan) {
   Flight flight;
   flight.plan.status(msg::PlannedTrajectory_Constants::STATUS_HOLD);
-  flight.plan.reason(msg::PlannedTrajectory_Constants::REASON_NO_PATH);
-  EXPECT_THAT(flight.cause(), HasSubstr("no free way to a place from which the person is visible"));
+  flight.plan.reason(msg::PlannedTrajectory_Constants::REASON_EMPTY_CORRIDOR);
+  EXPECT_THAT(flight.cause(), HasSubstr("the free space along the way is too tight"));
 }
 
 TEST(Diagnose, SaysThatTheAutopilotIsNotArmedOrNotOffboard) {
