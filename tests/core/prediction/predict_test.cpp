@@ -181,8 +181,8 @@ TEST(Predict, ExpectsWhoBrakesWithTheChestTurnedRoundToComeBack) {
       if (back) end_m = back->states.back().position_enu_m.x() - target.position_enu_m.x();
     }
   }
-  EXPECT_LT(before, 0.05);
-  EXPECT_GT(turning, 0.5);
+  EXPECT_LT(before, 0.02);
+  EXPECT_GT(turning, 0.1);  // in the open, where nothing else tells it
   ASSERT_NE(back, nullptr);
   EXPECT_LT(end_m, -1.5) << "a path that comes back";
 }
