@@ -98,7 +98,9 @@ struct Moment {
 struct OrderMark {
   double stamp_s = -1e18;
   std::uint64_t id = 0;
-  friend auto operator<=>(const OrderMark&, const OrderMark&) = default;
+  // The tool of version 14 takes the generated comparison with 0 for one with a null pointer.
+  friend auto operator<=>(const OrderMark&,             // NOLINT(modernize-use-nullptr)
+                          const OrderMark&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The mission as commands find it.
