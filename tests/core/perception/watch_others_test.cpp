@@ -74,9 +74,9 @@ TEST_F(WatchOthers, WhoIsBesideIsKnownAndNotTheChosenOne) {
 }
 
 TEST_F(WatchOthers, EverybodyElseInTheImageIsTold) {
-  look_with_other_at(1.5);
+  look_at_two();
   fake_.see_nobody();
-  look(0.1);
+  look(0.23);
   ASSERT_EQ(others_.size(), 1u);
   ASSERT_TRUE(others_[0].pose.has_value());
   EXPECT_GT(others_[0].pose->torso_px().x(), 220.0);
