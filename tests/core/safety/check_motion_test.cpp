@@ -75,7 +75,8 @@ Peaks sampled(const PlannedTrajectory& plan) {
       peaks.speed = std::max(peaks.speed, piece.velocity(t).norm());
       peaks.acceleration = std::max(peaks.acceleration, piece.acceleration(t).norm());
     }
-  for (double t = 0.0; t <= plan.duration_s(); t += 1e-3)
+  const double turns_s = plan.yaw.dt_s * static_cast<double>(plan.yaw.nodes.size() - 1);
+  for (double t = 0.0; t <= turns_s; t += 1e-3)  // it may be longer than the motion
     peaks.yaw_rate = std::max(peaks.yaw_rate, std::abs(plan.yaw.at(t).rate_rad_s));
   return peaks;
 }
