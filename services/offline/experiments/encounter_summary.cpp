@@ -15,12 +15,12 @@ constexpr double kLossAllowed_s = 0.5;
 constexpr double kHoverAllowed_s = 2.0;
 
 // A cell on its way, with the gaps of its encounters.
-struct Pool {
+struct PooledCell {
   EncounterCell cell;
   std::vector<double> gaps_m;
 };
 
-void add(const EncounterRecord& e, Pool& pool) {
+void add(const EncounterRecord& e, PooledCell& pool) {
   EncounterCell& c = pool.cell;
   ++c.encounters;
   c.person_encounters += e.person == 0;
@@ -38,14 +38,14 @@ void add(const EncounterRecord& e, Pool& pool) {
   c.evading_s += e.evading_s;
 }
 
-void add(const RunRecord& record, Pool& pool) {
+void add(const RunRecord& record, PooledCell& pool) {
   ++pool.cell.flights;
   pool.cell.wall_contacts += record.metrics.collisions;
   pool.cell.hovering_flights += record.longest_hover_s > kHoverAllowed_s;
   for (const EncounterRecord& e : record.encounters) add(e, pool);
 }
 
-EncounterCell finished(Pool& pool) {
+EncounterCell finished(PooledCell& pool) {
   EncounterCell& c = pool.cell;
   c.contact_95 = wilson(c.contacts(), c.encounters);
   c.floor_95 = wilson(c.floor_kept, c.floor_judged);
@@ -64,14 +64,14 @@ EncounterCell finished(Pool& pool) {
   return c;
 }
 
-Pool& pool_of(std::vector<Pool>& pools, std::string_view name, const CellKey& key) {
-  const auto same = [&](const Pool& p) {
+PooledCell& pool_of(std::vector<PooledCell>& pools, std::string_view name, const CellKey& key) {
+  const auto same = [&](const PooledCell& p) {
     return p.cell.name == name && p.cell.method == key.method && p.cell.map == key.map &&
            p.cell.speed_m_s == key.target_speed_m_s;
   };
   const auto found = std::find_if(pools.begin(), pools.end(), same);
   if (found != pools.end()) return *found;
-  Pool& pool = pools.emplace_back();
+  PooledCell& pool = pools.emplace_back();
   pool.cell.name = name;
   pool.cell.method = key.method;
   pool.cell.map = key.map;
@@ -79,9 +79,9 @@ Pool& pool_of(std::vector<Pool>& pools, std::string_view name, const CellKey& ke
   return pool;
 }
 
-std::vector<EncounterCell> finished(std::vector<Pool>& pools) {
+std::vector<EncounterCell> finished(std::vector<PooledCell>& pools) {
   std::vector<EncounterCell> cells;
-  for (Pool& pool : pools) cells.push_back(finished(pool));
+  for (PooledCell& pool : pools) cells.push_back(finished(pool));
   return cells;
 }
 
@@ -131,15 +131,16 @@ Json json_of(const std::vector<EncounterCell>& cells) {
 
 EncounterSummary summarize_encounters(const std::vector<FlightJob>& jobs,
                                       const std::vector<RunRecord>& records) {
-  std::vector<Pool> kinds, places;
+  std::vector<PooledCell> kinds, places;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const auto& staged = records[i].staged;
     if (!staged) continue;
     add(records[i], pool_of(kinds, to_string(staged->kind), jobs[i].cell));
     add(records[i], pool_of(places, to_string(staged->place), jobs[i].cell));
   }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Pool& a, const Pool& b) { return a.cell.name < b.cell.name; });
+  std::stable_sort(places.begin(), places.end(), [](const PooledCell& a, const PooledCell& b) {
+    return a.cell.name < b.cell.name;
+  });
   return {finished(kinds), finished(places)};
 }
 
