@@ -6,166 +6,149 @@
 namespace foretrack::bench {
 namespace {
 
-constexpr int kTurn = IntentionFeatures::kTurnCount;
-constexpr int kDecelerate = IntentionFeatures::kDecelerateCount;
+using Eigen::Index;
+using Vec = Eigen::VectorXd;
+
 constexpr int kEpochs = 20;
 constexpr std::size_t kBatch = 512;
 constexpr double kRate = 3e-3;
 constexpr double kDecay = 1e-5;
 
-template <int kFeatures>
-using Vec = Eigen::Matrix<double, kFeatures, 1>;
+// To standardised features. The first is the constant: it stays as it is.
+struct Scale {
+  Vec mean, inverse_sigma;
 
-template <int kFeatures>
-Vec<kFeatures> vector_of(const typename LogitWeights<kFeatures>::Row& x) {
-  return Eigen::Map<const Vec<kFeatures>>(x.data());
+  explicit Scale(Index features) : mean(Vec::Zero(features)), inverse_sigma(Vec::Ones(features)) {}
+  Row operator()(const Row& x) const { return (x - mean).cwiseProduct(inverse_sigma); }
+};
+
+// Of each head, over all intentions that share it.
+std::vector<Scale> scales_of(const std::vector<Window>& windows, const Heads& heads) {
+  std::vector<Scale> scales;
+  for (int h = 0; h < static_cast<int>(heads.heads.size()); ++h) {
+    Scale& scale = scales.emplace_back(heads.size(h));
+    Vec sum = Vec::Zero(heads.size(h)), squares = sum;
+    double n = 0.0;
+    for (std::size_t i = 0; i < heads.places.size(); ++i) {
+      if (heads.places[i].head != h) continue;
+      for (const Window& w : windows) {
+        const Row x = features_of(heads, i, w);
+        sum += x;
+        squares += x.cwiseAbs2();
+        n += 1.0;
+      }
+    }
+    for (Index k = 1; k < sum.size(); ++k) {
+      scale.mean[k] = sum[k] / n;
+      const double variance = squares[k] / n - scale.mean[k] * scale.mean[k];
+      scale.inverse_sigma[k] = variance > 1e-9 ? 1.0 / std::sqrt(variance) : 0.0;
+    }
+  }
+  return scales;
 }
 
-// To standardised features. The first is the constant: it stays as it is.
-template <int kFeatures>
-struct Scale {
-  Vec<kFeatures> mean = Vec<kFeatures>::Zero(), inverse_sigma = Vec<kFeatures>::Ones();
+// From weights of features as they are to those of standardised ones, with hidden units that hardly
+// count yet.
+HeadWeights started(const HeadWeights& raw, const Scale& scale, Random& random) {
+  const Index n = raw.row.size();
+  HeadWeights w(static_cast<int>(n));
+  for (Index k = 1; k < n; ++k)
+    if (scale.inverse_sigma[k] > 0.0) w.row[k] = raw.row[k] / scale.inverse_sigma[k];
+  w.row[0] = raw.row.dot(scale.mean) + raw.row[0];
+  for (double& x : w.hidden.reshaped()) x = random.normal() / std::sqrt(static_cast<double>(n));
+  for (double& x : w.gain) x = 0.1 * random.normal();
+  return w;
+}
 
-  explicit Scale(const Eigen::Matrix<double, kFeatures, Eigen::Dynamic>& all) {
-    mean.template tail<kFeatures - 1>() = all.rowwise().mean().template tail<kFeatures - 1>();
-    for (int i = 1; i < kFeatures; ++i) {
-      const double variance = (all.row(i).array() - mean[i]).square().mean();
-      inverse_sigma[i] = variance > 1e-12 ? 1.0 / std::sqrt(variance) : 0.0;
-    }
-  }
-  Vec<kFeatures> operator()(const typename LogitWeights<kFeatures>::Row& x) const {
-    return (vector_of<kFeatures>(x) - mean).cwiseProduct(inverse_sigma);
-  }
-};
+// And back.
+HeadWeights finished(const HeadWeights& w, const Scale& scale) {
+  HeadWeights raw = w;
+  raw.row = w.row.cwiseProduct(scale.inverse_sigma);
+  raw.row[0] -= raw.row.dot(scale.mean);
+  raw.hidden = w.hidden * scale.inverse_sigma.asDiagonal();
+  raw.bias = w.bias - raw.hidden * scale.mean;
+  return raw;
+}
 
-// One intention's logit, or its gradient, or its moments; of standardised features.
-template <int kFeatures>
-struct Logit {
-  using Weights = LogitWeights<kFeatures>;
-  using HiddenVec = Vec<Weights::kHidden>;
-  using X = Vec<kFeatures>;
-  Eigen::Matrix<double, Weights::kHidden, kFeatures> hidden = decltype(hidden)::Zero();
-  HiddenVec bias = HiddenVec::Zero(), gain = HiddenVec::Zero();
-  X row = X::Zero();
-
-  template <class Visit>
-  static void each(Logit& a, Logit& b, Logit& c, Logit& d, Visit&& visit) {
-    visit(a.hidden.reshaped(), b.hidden.reshaped(), c.hidden.reshaped(), d.hidden.reshaped());
-    visit(a.bias, b.bias, c.bias, d.bias);
-    visit(a.gain, b.gain, c.gain, d.gain);
-    visit(a.row, b.row, c.row, d.row);
-  }
-
-  void start(const Weights& w, const Scale<kFeatures>& scale, Random& random) {
-    const X raw = vector_of<kFeatures>(w.row);
-    for (int i = 1; i < kFeatures; ++i)
-      if (scale.inverse_sigma[i] > 0.0) row[i] = raw[i] / scale.inverse_sigma[i];
-    row[0] = raw.dot(scale.mean) + raw[0];
-    for (double& x : hidden.reshaped()) x = random.normal() / std::sqrt(double(kFeatures));
-    for (double& x : gain) x = 0.1 * random.normal();
-  }
-
-  HiddenVec units(const X& x) const { return (hidden * x + bias).array().tanh().matrix(); }
-  double value(const X& x, const HiddenVec& h) const { return row.dot(x) + gain.dot(h); }
-
-  void add_gradient(const X& x, const HiddenVec& h, double slope, Logit& gradient) const {
-    const HiddenVec below = slope * gain.cwiseProduct((1.0 - h.array().square()).matrix());
-    gradient.row += slope * x;
-    gradient.gain += slope * h;
-    gradient.bias += below;
-    gradient.hidden.noalias() += below * x.transpose();
-  }
-
-  // Back to features as they are.
-  Weights weights(const Scale<kFeatures>& scale) const {
-    Weights w;
-    const auto unscale = [&](const X& from, typename Weights::Row& to) {
-      const X raw = from.cwiseProduct(scale.inverse_sigma);
-      for (int i = 0; i < kFeatures; ++i) to[i] = raw[i];
-      return raw.dot(scale.mean);
-    };
-    w.row[0] -= unscale(row, w.row);
-    for (int j = 0; j < Weights::kHidden; ++j) {
-      w.hidden_bias[j] = bias[j] - unscale(hidden.row(j).transpose(), w.hidden[j]);
-      w.hidden_gain[j] = gain[j];
-    }
-    return w;
-  }
-};
-
+// Weights, their gradient, or its moments.
 struct Model {
-  Logit<kTurn> turn;
-  Logit<kDecelerate> decelerate;
+  ModelWeights heads;
+
+  void resize_like(const Model& other) {
+    if (!heads.empty()) return;
+    for (const HeadWeights& w : other.heads) heads.emplace_back(static_cast<int>(w.row.size()));
+  }
 
   template <class Visit>
   static void each(Model& a, Model& b, Model& c, Model& d, Visit&& visit) {
-    Logit<kTurn>::each(a.turn, b.turn, c.turn, d.turn, visit);
-    Logit<kDecelerate>::each(a.decelerate, b.decelerate, c.decelerate, d.decelerate, visit);
+    for (Model* m : {&b, &c, &d}) m->resize_like(a);
+    for (std::size_t h = 0; h < a.heads.size(); ++h) {
+      HeadWeights &p = a.heads[h], &q = b.heads[h], &r = c.heads[h], &s = d.heads[h];
+      visit(p.hidden.reshaped(), q.hidden.reshaped(), r.hidden.reshaped(), s.hidden.reshaped());
+      visit(p.bias, q.bias, r.bias, s.bias);
+      visit(p.gain, q.gain, r.gain, s.gain);
+      visit(p.row, q.row, r.row, s.row);
+    }
   }
 };
 
-struct Sample {
-  Vec<kTurn> left, right;
-  Vec<kDecelerate> decelerate;
-  int label = 0;
-};
-
-Scale<kTurn> scale_of_turns(const std::vector<Window>& windows) {
-  Eigen::Matrix<double, kTurn, Eigen::Dynamic> all(kTurn, 2 * windows.size());
-  Eigen::Index i = 0;
-  for (const Window& w : windows)
-    for (const auto* side : {&w.features.left, &w.features.right})
-      all.col(i++) = vector_of<kTurn>(*side);
-  return Scale<kTurn>(all);
+void add_gradient(const HeadWeights& w, const Row& x, const Vec& units, double slope,
+                  HeadWeights& gradient) {
+  const Vec below = slope * w.gain.cwiseProduct((1.0 - units.array().square()).matrix());
+  gradient.row += slope * x;
+  gradient.gain += slope * units;
+  gradient.bias += below;
+  gradient.hidden.noalias() += below * x.transpose();
 }
 
-Scale<kDecelerate> scale_of_deceleration(const std::vector<Window>& windows) {
-  Eigen::Matrix<double, kDecelerate, Eigen::Dynamic> all(kDecelerate, windows.size());
-  Eigen::Index i = 0;
-  for (const Window& w : windows) all.col(i++) = vector_of<kDecelerate>(w.features.decelerate);
-  return Scale<kDecelerate>(all);
-}
-
-void add_gradient(const Model& m, const Sample& s, double weight, Model& gradient) {
-  const auto left = m.turn.units(s.left), right = m.turn.units(s.right);
-  const auto decelerate = m.decelerate.units(s.decelerate);
-  Eigen::Vector4d p(0.0, m.turn.value(s.left, left), m.turn.value(s.right, right),
-                    m.decelerate.value(s.decelerate, decelerate));
-  p = (p.array() - p.maxCoeff()).exp().matrix();
-  p /= p.sum();
-  p[s.label] -= 1.0;
-  p *= weight;
-  m.turn.add_gradient(s.left, left, p[1], gradient.turn);
-  m.turn.add_gradient(s.right, right, p[2], gradient.turn);
-  m.decelerate.add_gradient(s.decelerate, decelerate, p[3], gradient.decelerate);
+void add_gradient(const Model& m, const Heads& heads, const std::vector<Scale>& scales,
+                  const Window& window, double weight, Model& gradient) {
+  const std::size_t count = heads.places.size();
+  Vec logits = Vec::Zero(static_cast<Index>(count));
+  std::vector<Row> x(count);
+  std::vector<Vec> units(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int h = heads.places[i].head;
+    if (h < 0) continue;
+    x[i] = scales[h](features_of(heads, i, window));
+    units[i] = m.heads[h].units(x[i]);
+    logits[static_cast<Index>(i)] = m.heads[h].row.dot(x[i]) + m.heads[h].gain.dot(units[i]);
+  }
+  Vec p = softmax(logits);
+  p[window.label] -= 1.0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (const int h = heads.places[i].head; h >= 0)
+      add_gradient(m.heads[h], x[i], units[i], weight * p[static_cast<Index>(i)],
+                   gradient.heads[h]);
 }
 
 }  // namespace
 
-CalibrationWeights fit_hidden(const std::vector<Window>& windows, const CalibrationWeights& start) {
+ModelWeights fit_hidden(const std::vector<Window>& windows, const Heads& heads,
+                        const ModelWeights& start) {
   Random random(7);
-  const Scale<kTurn> turns = scale_of_turns(windows);
-  const Scale<kDecelerate> deceleration = scale_of_deceleration(windows);
-  std::vector<Sample> samples;
-  for (const auto& [f, label] : windows)
-    samples.push_back({turns(f.left), turns(f.right), deceleration(f.decelerate), index_of(label)});
+  const std::vector<Scale> scales = scales_of(windows, heads);
   Model model;
-  model.turn.start(start.turn, turns, random);
-  model.decelerate.start(start.decelerate, deceleration, random);
+  for (std::size_t h = 0; h < start.size(); ++h)
+    model.heads.push_back(started(start[h], scales[h], random));
   Adam<Model> adam(kDecay);
-  Shuffled shuffled(samples.size(), random);
+  Shuffled shuffled(windows.size(), random);
   for (int epoch = 0; epoch < kEpochs; ++epoch) {
     const std::vector<std::size_t>& order = shuffled.next();
     const double rate = kRate * (1.0 - double(epoch) / kEpochs);
     for (std::size_t from = 0; from < order.size(); from += kBatch) {
       const std::size_t to = std::min(order.size(), from + kBatch);
       Model gradient;
+      gradient.resize_like(model);
       for (std::size_t i = from; i < to; ++i)
-        add_gradient(model, samples[order[i]], 1.0 / double(to - from), gradient);
+        add_gradient(model, heads, scales, windows[order[i]], 1.0 / double(to - from), gradient);
       adam.step(model, gradient, rate);
     }
   }
-  return {model.turn.weights(turns), model.decelerate.weights(deceleration)};
+  ModelWeights weights;
+  for (std::size_t h = 0; h < start.size(); ++h)
+    weights.push_back(finished(model.heads[h], scales[h]));
+  return weights;
 }
 
 }  // namespace foretrack::bench

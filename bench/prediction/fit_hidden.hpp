@@ -2,12 +2,13 @@
 // Adds hidden units to a fitted logistic model.
 #pragma once
 
-#include "bench/prediction/windows.hpp"
+#include "bench/prediction/head_weights.hpp"
 
 namespace foretrack::bench {
 
 /// Stochastic gradient descent (Adam) on the log-loss from the given weights, seeded: the same
 /// windows give the same weights.
-CalibrationWeights fit_hidden(const std::vector<Window>& windows, const CalibrationWeights& start);
+ModelWeights fit_hidden(const std::vector<Window>& windows, const Heads& heads,
+                        const ModelWeights& start);
 
 }  // namespace foretrack::bench

@@ -6,76 +6,97 @@
 namespace foretrack::bench {
 namespace {
 
-constexpr int kTurn = IntentionFeatures::kTurnCount;
-constexpr int kDecelerate = IntentionFeatures::kDecelerateCount;
-constexpr int kAll = kTurn + kDecelerate;
-using VecN = Eigen::Matrix<double, kAll, 1>;
-using MatN = Eigen::Matrix<double, kAll, kAll>;
-using Inputs = Eigen::Matrix<double, kAll, kIntentionCount>;
+using Eigen::Index;
+using Vec = Eigen::VectorXd;
+using Mat = Eigen::MatrixXd;
 
-// Column i · weights is the logit of intention i.
-Inputs inputs_of(const IntentionFeatures& f) {
-  Inputs x = Inputs::Zero();
-  x.col(1).head<kTurn>() = Eigen::Map<const Eigen::Matrix<double, kTurn, 1>>(f.left.data());
-  x.col(2).head<kTurn>() = Eigen::Map<const Eigen::Matrix<double, kTurn, 1>>(f.right.data());
-  x.col(3).tail<kDecelerate>() =
-      Eigen::Map<const Eigen::Matrix<double, kDecelerate, 1>>(f.decelerate.data());
-  return x;
-}
-
-CalibrationWeights weights_of(const VecN& w) {
-  CalibrationWeights weights;
-  for (int i = 0; i < kTurn; ++i) weights.turn.row[i] = w[i];
-  for (int i = 0; i < kDecelerate; ++i) weights.decelerate.row[i] = w[kTurn + i];
-  return weights;
+// Where the row of each head is in the vector of all weights.
+std::vector<Index> offsets_of(const Heads& heads) {
+  std::vector<Index> offsets = {0};
+  for (const IntentionHead* head : heads.heads) offsets.push_back(offsets.back() + head->features);
+  return offsets;
 }
 
 struct Slope {
-  VecN gradient = VecN::Zero();
-  MatN hessian = MatN::Zero();
+  Vec gradient;
+  Mat hessian;  // the lower half
 };
 
-Slope slope_at(const std::vector<Window>& windows, const VecN& w, double ridge) {
-  Slope slope;
-  const CalibrationWeights weights = weights_of(w);
-  for (const Window& window : windows) {
-    const auto p = probabilities(window.features, weights);
-    const Inputs x = inputs_of(window.features);
-    VecN mean = VecN::Zero();
-    for (int i = 1; i < kIntentionCount; ++i) {
-      mean += p[i] * x.col(i);
-      slope.hessian.selfadjointView<Eigen::Lower>().rankUpdate(x.col(i), p[i]);
+class Problem {
+ public:
+  Problem(const std::vector<Window>& windows, const Heads& heads, double ridge)
+      : windows_(windows), heads_(heads), offsets_(offsets_of(heads)), ridge_(ridge) {}
+
+  Index size() const { return offsets_.back(); }
+
+  Slope slope_at(const Vec& w) const {
+    Slope slope{Vec::Zero(size()), Mat::Zero(size(), size())};
+    for (const Window& window : windows_) add(window, w, slope);
+    Vec penalty = Vec::Constant(size(), ridge_ * static_cast<double>(windows_.size()));
+    for (std::size_t h = 0; h + 1 < offsets_.size(); ++h) penalty[offsets_[h]] = 1e-6;
+    slope.gradient += penalty.cwiseProduct(w);
+    slope.hessian.diagonal() += penalty;
+    return slope;
+  }
+
+  ModelWeights weights_of(const Vec& w) const {
+    ModelWeights weights;
+    for (std::size_t h = 0; h < heads_.heads.size(); ++h) {
+      const int n = heads_.size(static_cast<int>(h));
+      weights.emplace_back(n).row = w.segment(offsets_[h], n);
+    }
+    return weights;
+  }
+
+ private:
+  void add(const Window& window, const Vec& w, Slope& slope) const {
+    const std::size_t count = heads_.places.size();
+    Vec logits = Vec::Zero(static_cast<Index>(count));
+    std::vector<Row> x(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (heads_.places[i].head < 0) continue;
+      x[i] = features_of(heads_, i, window);
+      logits[static_cast<Index>(i)] = x[i].dot(w.segment(first(i), x[i].size()));
+    }
+    const Vec p = softmax(logits);
+    Vec mean = Vec::Zero(size());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (heads_.places[i].head < 0) continue;
+      const double p_i = p[static_cast<Index>(i)];
+      const Index n = x[i].size();
+      mean.segment(first(i), n) += p_i * x[i];
+      slope.hessian.block(first(i), first(i), n, n)
+          .selfadjointView<Eigen::Lower>()
+          .rankUpdate(x[i], p_i);
+      if (static_cast<int>(i) == window.label) slope.gradient.segment(first(i), n) -= x[i];
     }
     slope.hessian.selfadjointView<Eigen::Lower>().rankUpdate(mean, -1.0);
-    slope.gradient += mean - x.col(index_of(window.label));
+    slope.gradient += mean;
   }
-  VecN penalty = VecN::Constant(ridge * static_cast<double>(windows.size()));
-  penalty[0] = penalty[kTurn] = 1e-6;
-  slope.gradient += penalty.cwiseProduct(w);
-  slope.hessian.diagonal() += penalty;
-  return slope;
-}
+  Index first(std::size_t place) const {
+    return offsets_[static_cast<std::size_t>(heads_.places[place].head)];
+  }
+
+  const std::vector<Window>& windows_;
+  const Heads& heads_;
+  std::vector<Index> offsets_;
+  double ridge_;
+};
 
 }  // namespace
 
-double mean_log_loss(const std::vector<Window>& windows, const CalibrationWeights& weights) {
-  double sum = 0.0;
-  for (const Window& w : windows)
-    sum -= std::log(std::max(1e-9, probabilities(w.features, weights)[index_of(w.label)]));
-  return windows.empty() ? 0.0 : sum / static_cast<double>(windows.size());
-}
-
-CalibrationWeights fit_softmax(const std::vector<Window>& windows, double ridge) {
-  VecN w = VecN::Zero();
+ModelWeights fit_softmax(const std::vector<Window>& windows, const Heads& heads, double ridge) {
+  const Problem problem(windows, heads, ridge);
+  Vec w = Vec::Zero(problem.size());
   for (int iteration = 0; iteration < 30; ++iteration) {
-    const Slope slope = slope_at(windows, w, ridge);
-    const MatN hessian = slope.hessian.selfadjointView<Eigen::Lower>();
-    VecN step = hessian.ldlt().solve(slope.gradient);
+    const Slope slope = problem.slope_at(w);
+    const Mat hessian = slope.hessian.selfadjointView<Eigen::Lower>();
+    Vec step = hessian.ldlt().solve(slope.gradient);
     if (step.norm() > 5.0) step *= 5.0 / step.norm();  // far from the optimum Newton overshoots
     w -= step;
-    if (step.norm() < 1e-6) break;
+    if (step.norm() < 1e-4) break;
   }
-  return weights_of(w);
+  return problem.weights_of(w);
 }
 
 }  // namespace foretrack::bench

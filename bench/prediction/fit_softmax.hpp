@@ -2,14 +2,12 @@
 // Maximum likelihood of the multinomial logistic model of core/prediction/calibrate.hpp.
 #pragma once
 
-#include "bench/prediction/windows.hpp"
+#include "bench/prediction/head_weights.hpp"
 
 namespace foretrack::bench {
 
-/// Newton's method with a ridge penalty (per window) on all weights but the two biases; converges
-/// because the problem is convex.
-CalibrationWeights fit_softmax(const std::vector<Window>& windows, double ridge);
-
-double mean_log_loss(const std::vector<Window>& windows, const CalibrationWeights& weights);
+/// Newton's method with a ridge penalty (per window) on all weights but each head's first, of the
+/// constant; converges because the problem is convex. No hidden units.
+ModelWeights fit_softmax(const std::vector<Window>& windows, const Heads& heads, double ridge);
 
 }  // namespace foretrack::bench

@@ -96,7 +96,7 @@ void print_announcements(const char* name, const AnnouncementReport& r) {
 void print_intention(const char* name, const IntentionReport& r) {
   std::printf("\n== %s: %.1f min, %d windows, base rates", name, r.walked_min, r.windows);
   for (int i = 0; i < kIntentionCount; ++i)
-    std::printf(" %s %.3f", kIntentionNames[i].data(), r.base_rate[i]);
+    std::printf(" %s %.3f", kIntentions[i].name.data(), r.base_rate[i]);
   std::printf("\nBrier %.4f, skill %.3f; log-loss %.4f (base %.4f); ECE %.4f, of turns %.4f\n",
               r.brier, r.brier_skill(), r.log_loss, r.base_log_loss, r.ece, r.ece_turn);
   print_announcements("turns", r.turns);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/prediction/assess_intention.hpp"
+
 namespace foretrack::bench {
 namespace {
 
@@ -20,7 +22,33 @@ std::optional<Intention> label_of(const Truth& truth, int i, const TargetState& 
   return Intention::kDecelerate;
 }
 
+Window window_of(const IntentionEvidence& evidence, const IntentionAssessment& assessment,
+                 bool map_known, Intention label) {
+  Window window{{}, index_of(label)};
+  for (const IntentionRow& row : kIntentions) {
+    if (!row.head) continue;
+    FeatureVector features;
+    row.features({evidence, assessment[row.id], map_known}, features);
+    const auto all = features.first(row.head->features);
+    window.features.insert(window.features.end(), all.begin(), all.end());
+  }
+  return window;
+}
+
 }  // namespace
+
+Heads heads_of(IntentionTable table) {
+  Heads all;
+  for (const IntentionRow& row : table) {
+    Heads::Place& place = all.places.emplace_back();
+    if (!row.head) continue;
+    const auto found = std::ranges::find(all.heads, row.head);
+    place = {static_cast<int>(found - all.heads.begin()), all.features};
+    if (found == all.heads.end()) all.heads.push_back(row.head);
+    all.features += row.head->features;
+  }
+  return all;
+}
 
 std::vector<Window> windows_of(const Episode& episode, const PredictionParams& params) {
   constexpr int kEvery = 3;
@@ -36,7 +64,7 @@ std::vector<Window> windows_of(const Episode& episode, const PredictionParams& p
     const Surroundings surroundings = observe_surroundings(map, motion, params);
     IntentionAssessment assessment;
     assess_intention(motion, surroundings, params, assessment);
-    windows.push_back({intention_features(motion, surroundings, assessment, !map.empty()), *label});
+    windows.push_back(window_of({motion, surroundings, params}, assessment, !map.empty(), *label));
   }
   return windows;
 }

@@ -4,23 +4,22 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+#include <span>
 #include <vector>
 
 #include "core/common/geometry.hpp"
 
 namespace foretrack {
 
-/// I₀ of the paper (§III.C).
-enum class Intention : std::uint8_t { kForward, kTurnLeft, kTurnRight, kDecelerate };
-inline constexpr int kIntentionCount = 4;
-inline constexpr std::array<std::string_view, kIntentionCount> kIntentionNames = {
-    "forward", "turn_left", "turn_right", "decelerate"};
+inline constexpr int kMaxIntentions = 16;  // that a table, or a message, may have
+
+/// A place in the table of intentions (I of the paper, §III.C). The table of those that are
+/// shipped, which also names their places, is core/prediction/intentions/intention_table.hpp:
+/// nobody else needs to know which there are. Place 0 is what is expected while nothing else shows.
+enum class Intention : std::uint8_t;
+inline constexpr Intention kUnknownIntention{255};  // of a table that is not ours
 constexpr int index_of(Intention i) {
   return static_cast<int>(i);
-}
-constexpr bool is_turn(Intention i) {
-  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
 }
 
 /// One row of the assessment (paper eq. 5–10; the probability is ours).
@@ -42,9 +41,20 @@ struct ReachableRegion {
   double right_bisector_rad() const { return heading_rad - right_half_angle_rad; }
 };
 
+/// What planning makes room for (paper §V.A): to the left or to the right of the person, or before
+/// them. In [0, 1]: the greatest score of the intentions that ask for it.
+struct MarginScores {
+  double left = 0.0;      // Π_tl
+  double right = 0.0;     // Π_tr
+  double distance = 0.0;  // Π_dec
+};
+
 struct IntentionAssessment {
   double stamp_s = 0.0;
-  std::array<IntentionBelief, kIntentionCount> beliefs{};
+  std::array<IntentionBelief, kMaxIntentions> beliefs{};  // the first `count`
+  int count = 0;
+  int unknown = 0;  // others that a message named: kept out, their probability is nobody else's
+  MarginScores margins;
   ReachableRegion region;            // R(t)
   ReachableRegion region_ahead;      // R(t + t0)
   double obstacle_distance_m = 0.0;  // d_obs along the velocity; > range when nothing is there
@@ -54,7 +64,7 @@ struct IntentionAssessment {
   IntentionBelief& operator[](Intention i) { return beliefs[index_of(i)]; }
   Intention most_likely() const {
     int best = 0;
-    for (int i = 1; i < kIntentionCount; ++i)
+    for (int i = 1; i < count; ++i)
       if (beliefs[i].probability > beliefs[best].probability) best = i;
     return static_cast<Intention>(best);
   }
@@ -68,10 +78,20 @@ struct PredictedState {
   Mat2 covariance_m2 = Mat2::Zero();  // horizontal
 };
 
+struct PathPoint {
+  Vec3 position_enu_m = Vec3::Zero();
+  Vec3 velocity_enu_m_s = Vec3::Zero();
+};
+
 struct PredictedPath {
-  Intention intention = Intention::kForward;
+  Intention intention{};
   double probability = 0.0;
   std::vector<PredictedState> states;  // k = 1 … N_p, at time Δ, 2Δ, …, T_p
+
+  /// Where the path has the person at a time after the prediction's stamp. Between states: linear.
+  /// Before the first and after the last: along its velocity. Precondition: there are states.
+  /// Cost: logarithmic in the states.
+  PathPoint at(double time_s) const;
 };
 
 enum class PredictionStatus : std::uint8_t { kOk, kNoTarget, kTargetBlocked, kSearchExhausted };

@@ -11,7 +11,7 @@ namespace {
 // Π_dec.
 double score_decelerate(const PlanTask& task) {
   const bool counts = task.input.intention != nullptr && task.params.horizon.intention_margins;
-  return counts ? (*task.input.intention)[Intention::kDecelerate].score : 0.0;
+  return counts ? task.input.intention->margins.distance : 0.0;
 }
 
 // The ring d* is the middle of the band.

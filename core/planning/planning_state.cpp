@@ -21,7 +21,7 @@ void reserve(PlanningState& s) {
   s.problem.corridor.reserve(kMaxPieces);
   s.problem.inner_waypoints.reserve(kMaxPieces);
   s.problem.durations_s.reserve(kMaxPieces);
-  s.problem.samples.reserve(kIntentionCount * kSteps);
+  s.problem.samples.reserve(kMaxIntentions * kSteps);
   s.aim.yaws_rad.reserve(kAngleNodes);
   s.aim.pitches_rad.reserve(kAngleNodes);
   s.aim.angles.stages.reserve(kAngleNodes);

@@ -1,34 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scores of the intentions (paper §III.C). The set is open: one row of the table is one intention.
+// Scores of the intentions (paper §III.C). The set is open: see intentions/intention_table.hpp.
 #pragma once
 
-#include <array>
-
-#include "core/prediction/motion_cues.hpp"
-#include "core/prediction/reachable_region.hpp"
+#include "core/prediction/intentions/intention_table.hpp"
 
 namespace foretrack {
 
-/// What the potentials and observations are worked out from.
-struct IntentionEvidence {
-  const MotionCues& motion;
-  const Surroundings& surroundings;
-  // Maxima over the unexpected intentions; set before forward is scored.
-  double strongest_potential = 0.0;
-  double strongest_observation = 0.0;
-};
-
-/// To add an intention: its name in core/common/prediction.hpp, its row here, its test.
-struct IntentionRow {
-  Intention intention;
-  double (*potential)(const IntentionEvidence&, const PredictionParams&);    // R
-  double (*observation)(const IntentionEvidence&, const PredictionParams&);  // O
-  MotionModel (*motion_model)(const PredictionParams&);                      // H of §IV
-};
-const std::array<IntentionRow, kIntentionCount>& intention_table();
-
-/// Fills potential, observation and score of every belief (eq. 5–10); not the probability.
+/// Fills potential, observation and score of every belief (eq. 5–11), and the margins; not the
+/// probability.
 void assess_intention(const MotionCues& motion, const Surroundings& surroundings,
-                      const PredictionParams& params, IntentionAssessment& assessment);
+                      const PredictionParams& params, IntentionAssessment& assessment,
+                      IntentionTable table = kIntentions);
+
+/// The greatest score of the intentions that ask for each margin.
+MarginScores margin_scores(const IntentionAssessment& assessment,
+                           IntentionTable table = kIntentions);
 
 }  // namespace foretrack

@@ -1,44 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/prediction/calibrate.hpp"
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/prediction/dot.hpp"
 
 namespace foretrack {
 namespace {
 
-template <int kFeatures>
-double logit_of(const typename LogitWeights<kFeatures>::Row& features,
-                const LogitWeights<kFeatures>& w) {
-  double logit = dot(w.row, features);
-  for (int j = 0; j < w.kHidden; ++j)
-    if (w.hidden_gain[j] != 0.0)
-      logit += w.hidden_gain[j] * std::tanh(w.hidden_bias[j] + dot(w.hidden[j], features));
-  return logit;
+LogitView weights_of(const IntentionRow& row, bool map_known, bool body_known) {
+  return row.head ? row.head->weights(map_known, body_known) : LogitView{};
+}
+
+double logit_of(const IntentionRow& row, const FeatureInputs& in) {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  if (index_of(row.id) == 0) return 0.0;
+  const LogitView weights = weights_of(row, in.map_known, in.evidence.motion.body_known);
+  if (weights.empty()) return kNever;
+  FeatureVector features;
+  row.features(in, features);
+  return logit_of(weights, features.first(row.head->features));
 }
 
 }  // namespace
 
-std::array<double, kIntentionCount> probabilities(const IntentionFeatures& f,
-                                                  const CalibrationWeights& w) {
-  std::array<double, kIntentionCount> p{};  // forward: logit 0
-  p[index_of(Intention::kTurnLeft)] = logit_of(f.left, w.turn);
-  p[index_of(Intention::kTurnRight)] = logit_of(f.right, w.turn);
-  p[index_of(Intention::kDecelerate)] = logit_of(f.decelerate, w.decelerate);
-  const double largest = *std::max_element(p.begin(), p.end());
-  double sum = 0.0;
-  for (double& x : p) sum += x = std::exp(x - largest);
-  for (double& x : p) x /= sum;
-  return p;
+double logit_of(const LogitView& w, std::span<const double> features) {
+  const std::size_t n = features.size();
+  if (w.row.size() != n || w.hidden.size() != n * w.hidden_gain.size())
+    throw std::logic_error("logit_of: weights of another number of features");
+  double logit = dot(w.row, features);
+  for (std::size_t j = 0; j < w.hidden_gain.size(); ++j)
+    if (w.hidden_gain[j] != 0.0)
+      logit += w.hidden_gain[j] *
+               std::tanh(w.hidden_bias[j] + dot(w.hidden.subspan(j * n, n), features));
+  return logit;
 }
 
-void calibrate(const MotionCues& motion, const Surroundings& surroundings, bool map_known,
-               IntentionAssessment& assessment) {
-  const auto features = intention_features(motion, surroundings, assessment, map_known);
-  const auto& weights = calibration_weights(features.map_known, features.body_known);
-  const auto p = probabilities(features, weights);
-  for (int i = 0; i < kIntentionCount; ++i) assessment.beliefs[i].probability = p[i];
+void calibrate(const MotionCues& motion, const Surroundings& surroundings,
+               const PredictionParams& params, bool map_known, IntentionAssessment& assessment,
+               IntentionTable table) {
+  const IntentionEvidence evidence{motion, surroundings, params};
+  std::array<double, kMaxIntentions> p{};
+  double largest = 0.0;  // that at place 0
+  for (const IntentionRow& row : table) {
+    double& logit = p[index_of(row.id)];
+    logit = logit_of(row, {evidence, assessment[row.id], map_known});
+    largest = std::max(largest, logit);
+  }
+  double sum = 0.0;
+  for (const IntentionRow& row : table) {
+    double& x = p[index_of(row.id)];
+    sum += x = std::exp(x - largest);
+  }
+  for (const IntentionRow& row : table) assessment[row.id].probability = p[index_of(row.id)] / sum;
+}
+
+std::vector<std::string_view> unfitted(IntentionTable table) {
+  std::vector<std::string_view> names;
+  for (const IntentionRow& row : table.subspan(1)) {
+    bool fitted = true;
+    for (const bool map_known : {false, true})
+      for (const bool body_known : {false, true})
+        fitted = fitted && !weights_of(row, map_known, body_known).empty();
+    if (!fitted) names.push_back(row.name);
+  }
+  return names;
 }
 
 }  // namespace foretrack

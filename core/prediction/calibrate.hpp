@@ -1,38 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// From evidence to probabilities that mean what they say.
+// From evidence to probabilities that mean what they say: a multinomial logistic model, one fitted
+// head an intention. The logit at place 0 is 0.
 #pragma once
 
-#include "core/prediction/intention_features.hpp"
+#include <vector>
+
+#include "core/prediction/intentions/intention_table.hpp"
 
 namespace foretrack {
 
-/// Of one intention's logit: a row of weights and, for what matters only together (an opening and a
-/// wall ahead), a layer of hidden units.
-template <int kFeatures>
-struct LogitWeights {
-  using Row = std::array<double, kFeatures>;
-  static constexpr int kHidden = 8;
-  Row row{};
-  std::array<Row, kHidden> hidden{};
-  std::array<double, kHidden> hidden_bias{};
-  std::array<double, kHidden> hidden_gain{};
-};
+/// Features and weights of as many numbers. Cost: some 1000 flops. Throws std::logic_error if the
+/// sizes do not belong together.
+double logit_of(const LogitView& weights, std::span<const double> features);
 
-/// Of a multinomial logistic model: forward has the logit 0, both turns share their weights.
-struct CalibrationWeights {
-  LogitWeights<IntentionFeatures::kTurnCount> turn;
-  LogitWeights<IntentionFeatures::kDecelerateCount> decelerate;
-};
+/// Fills the probabilities of the beliefs from their scores and the evidence; they sum to 1. An
+/// intention without a fitted head has 0. Cost: about a microsecond.
+void calibrate(const MotionCues& motion, const Surroundings& surroundings,
+               const PredictionParams& params, bool map_known, IntentionAssessment& assessment,
+               IntentionTable table = kIntentions);
 
-/// Written by bench/prediction's fit_intention, which also says there what it was fitted on.
-const CalibrationWeights& calibration_weights(bool map_known, bool body_known);
-
-/// Probabilities of the intentions; they sum to 1. Cost: about a microsecond.
-std::array<double, kIntentionCount> probabilities(const IntentionFeatures& features,
-                                                  const CalibrationWeights& weights);
-
-/// Fills the probabilities of the beliefs from their scores and the evidence.
-void calibrate(const MotionCues& motion, const Surroundings& surroundings, bool map_known,
-               IntentionAssessment& assessment);
+/// The names of the intentions without a fitted head, in all or some of the states of knowledge:
+/// whoever starts prediction says so. Empty for what is shipped.
+std::vector<std::string_view> unfitted(IntentionTable table = kIntentions);
 
 }  // namespace foretrack

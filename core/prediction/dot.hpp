@@ -2,15 +2,14 @@
 // The scalar product of rows of fitted weights with features.
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <span>
 
 namespace foretrack {
 
-template <std::size_t N>
-double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
+/// Precondition: as many of both.
+inline double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
 

@@ -10,31 +10,40 @@ double clearance_at(const GridMap& map, double height_m, const Vec2& position_m)
   return map.occupied_distance_m(Vec3(position_m.x(), position_m.y(), height_m));
 }
 
+// At place 0: to go on.
+constexpr Intention kOn{};
+
 struct Search {
   const SearchRequest& request;
   const GridMap& map;
   const PredictionParams& params;
   SearchWorkspace& w;
-  std::array<MotionModel, kIntentionCount> models;
+  IntentionTable table;
+  std::array<MotionModel, kMaxIntentions> models;
   int steps = 0;
   double root_side = 0.0;     // +1, −1: the root intention is to turn left, right
   double turn_limit_rad = 0;  // of the root intention
   Vec2 side_axis;             // to the left of the present course
   Vec2 goal_m = Vec2::Zero();
 
-  Search(const SearchRequest& r, const GridMap& m, const PredictionParams& p, SearchWorkspace& ws)
-      : request(r), map(m), params(p), w(ws), steps(p.step_count()) {
-    for (const auto& row : intention_table()) models[index_of(row.intention)] = row.motion_model(p);
-    const MotionModel& model = root_model();
-    if (model.kind == MotionModel::Kind::kCoordinatedTurn)
-      root_side = model.rate > 0.0 ? 1.0 : -1.0;
+  Search(const SearchRequest& r, const GridMap& m, const PredictionParams& p, SearchWorkspace& ws,
+         IntentionTable t)
+      : request(r), map(m), params(p), w(ws), table(t), steps(p.step_count()) {
+    for (const IntentionRow& row : table) models[index_of(row.id)] = row.motion_model(p);
+    if (turns(request.root)) root_side = root_model().rate > 0.0 ? 1.0 : -1.0;
     const double begun_rad = std::max(0.0, root_side * r.recent_turn_rad);
     const Vec2 course = r.start.velocity_m_s.normalized();
     side_axis = Vec2(-course.y(), course.x());
     turn_limit_rad = std::max(p.max_turn_rad - begun_rad, p.min_turn_rad);
   }
 
-  const MotionModel& root_model() const { return models[index_of(request.root)]; }
+  const MotionModel& model_of(Intention i) const { return models[index_of(i)]; }
+  const MotionModel& root_model() const { return model_of(request.root); }
+  bool turns(Intention i) const { return model_of(i).kind == MotionModel::Kind::kCoordinatedTurn; }
+  bool slows(Intention i) const { return model_of(i).kind == MotionModel::Kind::kDeceleration; }
+  double change_cost(Intention from, Intention to) const {
+    return foretrack::change_cost(row_of(from, table), row_of(to, table));
+  }
   double remaining_s(int step) const { return (steps - step) * params.step_s; }
 
   double turn_left_to_do_rad(double turned_rad) const {
@@ -58,9 +67,9 @@ struct Search {
     double h = params.goal_weight * (end - goal_m).norm() + params.eagerness * (steps - n.step);
     const double to_do_rad = turn_left_to_do_rad(n.turned_rad);
     if (to_do_rad < half_turn_rad()) return h;
-    if (n.intention != request.root) h += params.change_cost(n.intention, request.root);
+    if (n.intention != request.root) h += change_cost(n.intention, request.root);
     if (to_do_rad + half_turn_rad() < std::abs(root_model().rate) * remaining_s(n.step))
-      h += params.change_cost(request.root, Intention::kForward);
+      h += change_cost(request.root, kOn);
     return h;
   }
   double half_turn_rad() const { return 0.5 * params.turn_rate_rad_s * params.step_s; }
@@ -88,7 +97,7 @@ std::uint64_t quantised(double value, double unit) {
 // Nodes within 5 cm and 5 cm/s of each other that can go on in the same ways are one node.
 std::uint64_t Search::key_of(const SearchNode& n) const {
   const Vec2 p = n.state.position_m - request.start.position_m;
-  std::uint64_t key = static_cast<std::uint64_t>(n.step) * kIntentionCount + index_of(n.intention);
+  std::uint64_t key = static_cast<std::uint64_t>(n.step) * table.size() + index_of(n.intention);
   key = key << 12 | quantised(p.x(), 0.05);
   key = key << 12 | quantised(p.y(), 0.05);
   key = key << 12 | quantised(n.state.velocity_m_s.x(), 0.05);
@@ -126,16 +135,15 @@ void Search::push(const SearchNode& n) {
 bool Search::is_allowed_before_turn(const SearchNode& from, const SearchNode& to) const {
   if (to.intention == request.root) return true;
   const bool has_begun = root_side * from.turned_rad > 0.0;
-  if (has_begun && to.intention == Intention::kDecelerate)
-    return way_from_course_m(from) >= params.min_turn_way_m;
+  if (has_begun && slows(to.intention)) return way_from_course_m(from) >= params.min_turn_way_m;
   if (has_begun) return root_side * from.turned_rad >= params.min_turn_rad - half_turn_rad();
   const double most_rad = std::abs(root_model().rate) * remaining_s(to.step);
-  return to.intention == Intention::kForward && most_rad >= params.min_turn_rad;
+  return to.intention == kOn && most_rad >= params.min_turn_rad;
 }
 
 bool Search::is_allowed(const SearchNode& from, const SearchNode& to) const {
   if (root_side != 0.0 && !is_allowed_before_turn(from, to)) return false;
-  if (!is_turn(to.intention)) return true;
+  if (!turns(to.intention)) return true;
   if (root_side == 0.0) return std::abs(to.turned_rad) <= params.max_turn_rad + half_turn_rad();
   const bool resumed = from.intention != request.root && from.turned_rad != 0.0;
   return to.intention == request.root && !resumed &&
@@ -151,14 +159,14 @@ bool Search::can_still_leave(const SearchNode& n) const {
 
 void Search::expand(std::int32_t index) {
   const SearchNode from = w.nodes[index];
-  for (const auto& row : intention_table()) {
-    const MotionModel& model = models[index_of(row.intention)];
+  for (const IntentionRow& row : table) {
+    const MotionModel& model = model_of(row.id);
     SearchNode n = from;
     n.parent = index;
     n.step = static_cast<std::int16_t>(from.step + 1);
-    n.intention = row.intention;
-    n.cost += params.change_cost(from.intention, row.intention);  // g
-    if (is_turn(row.intention)) n.turned_rad += model.rate * params.step_s;
+    n.intention = row.id;
+    n.cost += change_cost(from.intention, row.id);  // g
+    if (turns(row.id)) n.turned_rad += model.rate * params.step_s;
     if (!is_allowed(from, n)) continue;
     if (!arc_is_free(map, request.height_m, model, from.state, params.step_s, from.clearance_m))
       continue;
@@ -210,8 +218,8 @@ SearchOutcome Search::run() {
   return outcome;
 }
 
-void prepare(SearchWorkspace& w, const PredictionParams& params) {
-  const auto most = static_cast<std::size_t>(params.max_expansions) * kIntentionCount + 1;
+void prepare(SearchWorkspace& w, const PredictionParams& params, IntentionTable table) {
+  const auto most = static_cast<std::size_t>(params.max_expansions) * table.size() + 1;
   std::size_t slots = 64;
   while (slots < 2 * most) slots *= 2;
   if (w.seen.size() != slots) {
@@ -249,9 +257,10 @@ bool arc_is_free(const GridMap& map, double height_m, const MotionModel& model,
 }
 
 SearchOutcome search_path(const SearchRequest& request, const GridMap& map,
-                          const PredictionParams& params, SearchWorkspace& workspace) {
-  prepare(workspace, params);
-  return Search(request, map, params, workspace).run();
+                          const PredictionParams& params, SearchWorkspace& workspace,
+                          IntentionTable table) {
+  prepare(workspace, params, table);
+  return Search(request, map, params, workspace, table).run();
 }
 
 }  // namespace foretrack

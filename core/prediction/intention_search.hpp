@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/common/grid_map.hpp"
-#include "core/prediction/assess_intention.hpp"
+#include "core/prediction/intentions/intention_table.hpp"
 
 namespace foretrack {
 
@@ -16,8 +16,8 @@ struct SearchNode {
   double turned_rad = 0.0;   // since the root, > 0: to the left
   double clearance_m = 0.0;  // that its arcs must keep from obstacles
   std::int32_t parent = -1;
-  std::int16_t step = 0;                      // k of its time kΔ
-  Intention intention = Intention::kForward;  // of the primitive that led here
+  std::int16_t step = 0;  // k of its time kΔ
+  Intention intention{};  // of the primitive that led here
 };
 
 /// Owned by the caller; nothing is allocated once it has grown to the expansion bound.
@@ -43,7 +43,7 @@ struct SearchRequest {
   PlanarState start;
   double height_m = 0.0;         // at which the map is read
   double recent_turn_rad = 0.0;  // counts towards the largest turn of the root intention
-  Intention root = Intention::kForward;
+  Intention root{};
 };
 
 enum class SearchStatus : std::uint8_t { kFound, kImpossible, kExhausted };
@@ -53,9 +53,10 @@ struct SearchOutcome {
 };
 
 /// Finds the cheapest path of N_p steps for the root intention; workspace.path holds its nodes.
-/// Cost: at most max_expansions expansions of four arcs each.
+/// Cost: at most max_expansions expansions of one arc for each intention.
 SearchOutcome search_path(const SearchRequest& request, const GridMap& map,
-                          const PredictionParams& params, SearchWorkspace& workspace);
+                          const PredictionParams& params, SearchWorkspace& workspace,
+                          IntentionTable table = kIntentions);
 
 /// True if a disc that moves along the arc keeps this far from occupied cells. The distance grid
 /// bounds how far the next sample may be, so that no part of the arc is skipped.

@@ -2,20 +2,6 @@
 #include "core/prediction/params.hpp"
 
 namespace foretrack {
-double PredictionParams::change_cost(Intention from, Intention to) const {
-  if (from == to) return 0.0;
-  if (is_turn(from) && is_turn(to)) return change_turn_opposite;
-  if (from == Intention::kForward)
-    return is_turn(to) ? change_forward_turn : change_forward_decelerate;
-  if (from == Intention::kDecelerate)
-    return is_turn(to) ? change_decelerate_turn : change_decelerate_forward;
-  return to == Intention::kForward ? change_turn_forward : change_turn_decelerate;
-}
-
-double PredictionParams::noise_m2_s3(Intention intention) const {
-  if (intention == Intention::kForward) return forward_noise_m2_s3;
-  return is_turn(intention) ? turn_noise_m2_s3 : decelerate_noise_m2_s3;
-}
 
 ParamRows rows(PredictionParams& p) {
   return {
@@ -58,20 +44,6 @@ ParamRows rows(PredictionParams& p) {
       {"goal_weight", &p.goal_weight, "1/m", 0.0, 100.0, "w_h"},
       {"eagerness", &p.eagerness, "", 0.0, 10.0,
        "cost of a step not yet taken: less search, later detours"},
-      {"change_forward_turn", &p.change_forward_turn, "", 0.0, 100.0, "Λ(forward, turn)"},
-      {"change_turn_forward", &p.change_turn_forward, "", 0.0, 100.0, "Λ(turn, forward)"},
-      {"change_turn_opposite", &p.change_turn_opposite, "", 0.0, 100.0, "Λ(turn, other turn)"},
-      {"change_forward_decelerate", &p.change_forward_decelerate, "", 0.0, 100.0,
-       "Λ(forward, decelerate)"},
-      {"change_decelerate_forward", &p.change_decelerate_forward, "", 0.0, 100.0,
-       "Λ(decelerate, forward)"},
-      {"change_turn_decelerate", &p.change_turn_decelerate, "", 0.0, 100.0, "Λ(turn, decelerate)"},
-      {"change_decelerate_turn", &p.change_decelerate_turn, "", 0.0, 100.0, "Λ(decelerate, turn)"},
-      {"forward_noise_m2_s3", &p.forward_noise_m2_s3, "m^2/s^3", 0.0, 10.0,
-       "how the covariance of going forward grows"},
-      {"turn_noise_m2_s3", &p.turn_noise_m2_s3, "m^2/s^3", 0.0, 10.0, "of turning"},
-      {"decelerate_noise_m2_s3", &p.decelerate_noise_m2_s3, "m^2/s^3", 0.0, 10.0,
-       "of slowing down"},
   };
 }
 

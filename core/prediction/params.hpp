@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every number that the prediction stage may be tuned by.
+// Every number that the prediction stage may be tuned by. What belongs to one intention is in its
+// file (intentions/).
 #pragma once
 
+#include "core/common/geometry.hpp"
 #include "core/common/params.hpp"
-#include "core/common/prediction.hpp"
 
 namespace foretrack {
 
@@ -46,22 +47,8 @@ struct PredictionParams {
   double max_cost = 20.0;
   double goal_weight = 1.0;
   double eagerness = 0.25;
-  double change_forward_turn = 1.0;
-  double change_turn_forward = 0.3;
-  double change_turn_opposite = 3.0;
-  double change_forward_decelerate = 1.5;
-  double change_decelerate_forward = 1.0;
-  double change_turn_decelerate = 1.0;
-  double change_decelerate_turn = 1.0;
-  // Uncertainty: white acceleration per intention
-  double forward_noise_m2_s3 = 0.05;
-  double turn_noise_m2_s3 = 0.2;
-  double decelerate_noise_m2_s3 = 0.2;
 
   int step_count() const { return static_cast<int>(horizon_s / step_s + 0.5); }
-  /// Λ(from, to) of the paper (§IV).
-  double change_cost(Intention from, Intention to) const;
-  double noise_m2_s3(Intention intention) const;
 };
 
 ParamRows rows(PredictionParams& params);

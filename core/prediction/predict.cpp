@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/prediction/predict.hpp"
 
+#include "core/prediction/assess_intention.hpp"
 #include "core/prediction/calibrate.hpp"
 #include "core/prediction/predict_paths.hpp"
 
@@ -15,19 +16,21 @@ bool is_finite(const TargetState& target) {
 }  // namespace
 
 const PredictionResult& predict(PredictionState& state, const TargetState& target,
-                                const GridMap& map, const PredictionParams& params) {
+                                const GridMap& map, const PredictionParams& params,
+                                IntentionTable table) {
   PredictionResult& result = state.result;
   result.intention = {};
   result.intention.stamp_s = target.stamp_s;
+  result.intention.count = static_cast<int>(table.size());
   if (!target.usable() || !is_finite(target)) {
     clear_prediction(state, target.stamp_s, PredictionStatus::kNoTarget);
     return result;
   }
   const MotionCues motion = observe_motion(state.memory, target, params);
   const Surroundings surroundings = observe_surroundings(map, motion, params);  // §III.B
-  assess_intention(motion, surroundings, params, result.intention);             // §III.C
-  calibrate(motion, surroundings, !map.empty(), result.intention);
-  predict_paths(state, target, motion, map, params);  // §IV
+  assess_intention(motion, surroundings, params, result.intention, table);      // §III.C
+  calibrate(motion, surroundings, params, !map.empty(), result.intention, table);
+  predict_paths(state, target, motion, map, params, table);  // §IV
   return result;
 }
 

@@ -31,6 +31,7 @@ struct PredictionState {
 /// path. Allocates nothing after the first calls. Cost: about 0.03 ms. Source: Ren et al. 2024,
 /// §III.B, §III.C, §IV; the probabilities and one path per intention are ours.
 const PredictionResult& predict(PredictionState& state, const TargetState& target,
-                                const GridMap& map, const PredictionParams& params);
+                                const GridMap& map, const PredictionParams& params,
+                                IntentionTable table = kIntentions);
 
 }  // namespace foretrack

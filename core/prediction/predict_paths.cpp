@@ -37,11 +37,11 @@ Mat4 grown(const Mat4& covariance, const MotionJacobian& j, double dt_s, double 
   return f * covariance * f.transpose() + noise;
 }
 
-PredictedPath& start_path(PredictionState& state, Intention intention) {
+PredictedPath& start_path(PredictionState& state, const IntentionRow& row) {
   auto& paths = state.result.prediction.paths;
   PredictedPath& path = paths.emplace_back();
-  path.intention = intention;
-  path.probability = state.result.intention[intention].probability;
+  path.intention = row.id;
+  path.probability = state.result.intention[row.id].probability;
   path.states.swap(state.spare_paths.back());
   state.spare_paths.pop_back();
   path.states.clear();
@@ -51,28 +51,29 @@ PredictedPath& start_path(PredictionState& state, Intention intention) {
 // Walks along the primitives and notes each end with its covariance.
 class PathWriter {
  public:
-  PathWriter(PredictedPath& path, const PathStart& start, const PredictionParams& params)
-      : path_(path),
-        params_(params),
+  PathWriter(PredictionState& state, const IntentionRow& row, const PathStart& start, double step_s)
+      : path_(start_path(state, row)),
+        step_s_(step_s),
+        noise_m2_s3_(row.noise_m2_s3),
         height_m_(start.height_m),
         x_(start.state),
         covariance_(start.covariance) {}
 
   void add(const MotionModel& model) {
-    const double dt_s = params_.step_s;
-    covariance_ =
-        grown(covariance_, jacobian(model, x_, dt_s), dt_s, params_.noise_m2_s3(path_.intention));
-    x_ = advance(model, x_, dt_s);
+    covariance_ = grown(covariance_, jacobian(model, x_, step_s_), step_s_, noise_m2_s3_);
+    x_ = advance(model, x_, step_s_);
     PredictedState& z = path_.states.emplace_back();
-    z.time_s = static_cast<double>(path_.states.size()) * dt_s;
+    z.time_s = static_cast<double>(path_.states.size()) * step_s_;
     z.position_enu_m << x_.position_m, height_m_;
     z.velocity_enu_m_s << x_.velocity_m_s, 0.0;
     z.covariance_m2 = covariance_.topLeftCorner<2, 2>();
   }
 
+  PredictedPath& path() { return path_; }
+
  private:
   PredictedPath& path_;
-  const PredictionParams& params_;
+  double step_s_, noise_m2_s3_;
   double height_m_;
   PlanarState x_;
   Mat4 covariance_;
@@ -85,47 +86,52 @@ PlanarState start_of(const MotionCues& motion) {
           motion.soon.velocity_m_s};
 }
 
-void add_blocked_path(PredictionState& state, const PathStart& start,
-                      const PredictionParams& params) {
-  PredictedPath& path = start_path(state, Intention::kForward);
-  path.probability = 1.0;
-  state.result.prediction.status = PredictionStatus::kTargetBlocked;
-  PathWriter writer(path, start, params);
-  const auto model = MotionModel::deceleration(params.deceleration_m_s2);
+// The one path that there is, of the intention at place 0.
+void add_only_path(PredictionState& state, const IntentionRow& on, const PathStart& start,
+                   const MotionModel& model, const PredictionParams& params) {
+  PathWriter writer(state, on, start, params.step_s);
+  writer.path().probability = 1.0;
   for (int k = 0; k < params.step_count(); ++k) writer.add(model);
 }
 
+void add_blocked_path(PredictionState& state, const IntentionRow& on, const PathStart& start,
+                      const PredictionParams& params) {
+  state.result.prediction.status = PredictionStatus::kTargetBlocked;
+  add_only_path(state, on, start, MotionModel::deceleration(params.deceleration_m_s2), params);
+}
+
 // Constant velocity, whatever stands in its way: to compare with.
-void add_straight_path(PredictionState& state, const PathStart& start,
+void add_straight_path(PredictionState& state, const IntentionRow& on, const PathStart& start,
                        const PredictionParams& params) {
-  PredictedPath& path = start_path(state, Intention::kForward);
-  path.probability = 1.0;
-  PathWriter writer(path, start, params);
-  for (int k = 0; k < params.step_count(); ++k) writer.add(MotionModel::constant_velocity());
+  add_only_path(state, on, start, MotionModel::constant_velocity(), params);
 }
 
 SearchStatus add_searched_path(PredictionState& state, const PathStart& start,
                                const SearchRequest& request, const GridMap& map,
-                               const PredictionParams& params) {
-  const SearchOutcome outcome = search_path(request, map, params, state.search);
+                               const PredictionParams& params, IntentionTable table) {
+  const SearchOutcome outcome = search_path(request, map, params, state.search, table);
   state.result.prediction.expansions += outcome.expansions;
   if (outcome.status != SearchStatus::kFound) return outcome.status;
-  PathWriter writer(start_path(state, request.root), start, params);
-  for (const std::int32_t i : state.search.path) {
-    const Intention driven_by = state.search.nodes[i].intention;
-    writer.add(intention_table()[index_of(driven_by)].motion_model(params));
-  }
+  PathWriter writer(state, row_of(request.root, table), start, params.step_s);
+  for (const std::int32_t i : state.search.path)
+    writer.add(row_of(state.search.nodes[i].intention, table).motion_model(params));
   return outcome.status;
 }
 
-std::array<Intention, kIntentionCount> likeliest_first(const IntentionAssessment& assessment) {
-  std::array<Intention, kIntentionCount> order;
-  for (const auto& row : intention_table()) order[index_of(row.intention)] = row.intention;
-  std::sort(order.begin(), order.end(), [&](Intention a, Intention b) {
+// Place in the table, the likeliest first.
+std::array<Intention, kMaxIntentions> likeliest_first(const IntentionAssessment& assessment) {
+  std::array<Intention, kMaxIntentions> order{};
+  for (int i = 0; i < assessment.count; ++i) order[i] = static_cast<Intention>(i);
+  std::sort(order.begin(), order.begin() + assessment.count, [&](Intention a, Intention b) {
     const double p = assessment[a].probability, q = assessment[b].probability;
     return p != q ? p > q : a < b;
   });
   return order;
+}
+
+// Who stands has no path to bend.
+bool asks_for_a_walk(const MotionModel& model) {
+  return model.kind == MotionModel::Kind::kCoordinatedTurn;
 }
 
 void normalise(std::vector<PredictedPath>& paths) {
@@ -142,33 +148,36 @@ void clear_prediction(PredictionState& state, double stamp_s, PredictionStatus s
   prediction.status = status;
   prediction.expansions = 0;
   auto& paths = prediction.paths;
-  state.spare_paths.reserve(kIntentionCount);
-  paths.reserve(kIntentionCount);
+  state.spare_paths.reserve(kMaxIntentions);
+  paths.reserve(kMaxIntentions);
   for (auto& path : paths) state.spare_paths.push_back(std::move(path.states));
   paths.clear();
-  state.spare_paths.resize(kIntentionCount);
+  state.spare_paths.resize(kMaxIntentions);
 }
 
 void predict_paths(PredictionState& state, const TargetState& target, const MotionCues& motion,
-                   const GridMap& map, const PredictionParams& params) {
+                   const GridMap& map, const PredictionParams& params, IntentionTable table) {
   clear_prediction(state, target.stamp_s, PredictionStatus::kOk);
   Prediction& prediction = state.result.prediction;
   PathStart start{params.intention_paths ? start_of(motion) : motion.state, motion.height_m,
                   planar_covariance(target)};
-  if (!params.around_obstacles) return add_straight_path(state, start, params);
+  const IntentionRow& on = table.front();
+  if (!params.around_obstacles) return add_straight_path(state, on, start, params);
   const Vec2& place_m = motion.state.position_m;
   if (map.is_occupied({place_m.x(), place_m.y(), motion.height_m}))
-    return add_blocked_path(state, start, params);
-  for (const Intention intention : likeliest_first(state.result.intention)) {
-    if (!params.intention_paths && intention != Intention::kForward) continue;
-    if (is_turn(intention) && !motion.walking) continue;  // who stands has no path to bend
+    return add_blocked_path(state, on, start, params);
+  const auto order = likeliest_first(state.result.intention);
+  for (const Intention intention : std::span(order).first(table.size())) {
+    if (!params.intention_paths && intention != on.id) continue;
+    const MotionModel model = row_of(intention, table).motion_model(params);
+    if (asks_for_a_walk(model) && !motion.walking) continue;
     const double probability = state.result.intention[intention].probability;
     if (!prediction.paths.empty() && probability < params.path_probability_min) break;
     const SearchRequest request{start.state, motion.height_m, motion.recent_turn_rad, intention};
-    if (add_searched_path(state, start, request, map, params) == SearchStatus::kExhausted)
+    if (add_searched_path(state, start, request, map, params, table) == SearchStatus::kExhausted)
       prediction.status = PredictionStatus::kSearchExhausted;
   }
-  if (prediction.paths.empty()) add_blocked_path(state, start, params);
+  if (prediction.paths.empty()) add_blocked_path(state, on, start, params);
   normalise(prediction.paths);
 }
 

@@ -11,6 +11,7 @@ void clear_prediction(PredictionState& state, double stamp_s, PredictionStatus s
 
 /// Fills state.result.prediction from state.result.intention.
 void predict_paths(PredictionState& state, const TargetState& target, const MotionCues& motion,
-                   const GridMap& map, const PredictionParams& params);
+                   const GridMap& map, const PredictionParams& params,
+                   IntentionTable table = kIntentions);
 
 }  // namespace foretrack

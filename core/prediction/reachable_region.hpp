@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/common/grid_map.hpp"
+#include "core/common/prediction.hpp"
 #include "core/prediction/motion_cues.hpp"
 
 namespace foretrack {

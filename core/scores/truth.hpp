@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/common/geometry.hpp"
-#include "core/common/prediction.hpp"
+#include "core/prediction/intentions/intention_table.hpp"
 
 namespace foretrack {
 
@@ -41,6 +41,11 @@ struct TruthEvent {
 };
 std::vector<TruthEvent> turns_of(const Truth& truth);
 std::vector<TruthEvent> stops_of(const Truth& truth);
+
+/// To another way, whichever.
+constexpr bool is_turn(Intention i) {
+  return i == Intention::kTurnLeft || i == Intention::kTurnRight;
+}
 
 /// True if the next three seconds keep the heading within 15° and the speed above 70 %.
 bool goes_straight(const Truth& truth, int i);

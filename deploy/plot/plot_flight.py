@@ -102,9 +102,11 @@ def draw_distance(axes, log, scenario):
         axes.axvline(turn["begin_s"], color="#2ca02c" if turn["success"] else LOST, linewidth=0.8)
 
 
-def draw_intentions(axes, log):
-    for name, colour in (("turn_left", "#1f77b4"), ("turn_right", "#e377c2"), ("decelerate", "#8c564b")):
-        axes.plot(log["now_s"], log["p_" + name], color=colour, linewidth=0.9, label=name.replace("_", " "))
+def draw_intentions(axes, log, intentions):
+    for intention in intentions[1:]:  # the first is what is left of 1
+        name = intention["name"]
+        axes.plot(log["now_s"], log["p_" + name], color=intention["color"], linewidth=0.9,
+                  label=name.replace("_", " "))
     axes.set_ylim(0.0, 1.0)
     axes.set_ylabel("probability")
     axes.legend(loc="upper right", fontsize=7, ncol=3)
@@ -139,7 +141,7 @@ def main(folder):
                   f"turns {wins} of {len(scenario['turns'])}")
     distance = figure.add_subplot(grid[1])
     draw_distance(distance, log, scenario)
-    draw_intentions(figure.add_subplot(grid[2], sharex=distance), log)
+    draw_intentions(figure.add_subplot(grid[2], sharex=distance), log, scenario["intentions"])
     draw_strip(figure.add_subplot(grid[3], sharex=distance), log)
     distance.set_xlim(0, log["now_s"][-1])
     figure.savefig(folder / "flight.png", dpi=100)

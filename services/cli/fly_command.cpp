@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/prediction/calibrate.hpp"
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
 #include "services/files/config/load_params.hpp"
@@ -57,7 +58,13 @@ void print_summary(const Metrics& m, const std::string& hash, const std::string&
   fmt::print("log SHA-256       {}\n", hash);
 }
 
+void name_unfitted() {
+  for (const std::string_view name : unfitted())
+    fmt::print(stderr, "{} has no fitted head: its probability is 0\n", name);
+}
+
 int fly_with(const FlyOptions& o) {
+  name_unfitted();
   const Scenario scenario = load_scenario(o.scenario, o.overrides);
   const TrackerParams params =
       o.params.empty() ? TrackerParams{} : load_params(find_params(o.params));

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "core/prediction/assess_intention.hpp"
 #include "services/convert/geometry.hpp"
 
 namespace foretrack {
@@ -42,8 +43,7 @@ ReachableRegion read_region(Checks& checks, const msg::ReachableRegion& in) {
           .right_half_angle_rad = in.right_half_angle_rad()};
 }
 
-IntentionBelief read_belief(Checks& checks, const msg::IntentionScore& in, unsigned id) {
-  checks.in_range("intentions.id", in.id(), id, id);
+IntentionBelief read_belief(Checks& checks, const msg::IntentionScore& in) {
   checks.within("intentions.potential", in.potential(), kScore);
   checks.within("intentions.observation", in.observation(), kScore);
   checks.in_range("intentions.score", in.score(), 0.0, 1.0);
@@ -64,11 +64,11 @@ PredictedState read_state(Checks& checks, const msg::PredictedState& in, double 
 
 PredictedPath read_path(Checks& checks, const msg::PredictedPath& in) {
   PredictedPath out;
-  checks.enumerator("paths.intention", in.intention(), kIntentionCount - 1);
   checks.in_range("paths.probability", in.probability(), 0.0, 1.0);
   checks.count("paths.states", in.states().size(), 1, kMaxStates);
   if (!checks.ok()) return out;
-  out.intention = static_cast<Intention>(in.intention());
+  // Where somebody may walk is worth knowing whatever it is called.
+  out.intention = intention_named(std::string_view(in.name().c_str())).value_or(kUnknownIntention);
   out.probability = in.probability();
   out.states.reserve(in.states().size());
   double previous_s = 0.0;
@@ -83,15 +83,16 @@ PredictedPath read_path(Checks& checks, const msg::PredictedPath& in) {
 
 void to_idl(const IntentionAssessment& in, msg::TargetIntention& out) {
   set_header(out.header(), in.stamp_s);
-  out.intentions().resize(kIntentionCount);
-  for (int i = 0; i < kIntentionCount; ++i) {
-    auto& row = out.intentions()[i];
-    row.id(static_cast<std::uint8_t>(i));
-    row.name(std::string(kIntentionNames[i]));
-    row.potential(in.beliefs[i].potential);
-    row.observation(in.beliefs[i].observation);
-    row.score(in.beliefs[i].score);
-    row.probability(in.beliefs[i].probability);
+  out.intentions().resize(kIntentions.size());
+  for (const IntentionRow& intention : kIntentions) {
+    const IntentionBelief& belief = in[intention.id];
+    auto& row = out.intentions()[index_of(intention.id)];
+    row.name(std::string(intention.name));
+    row.color_rgb(intention.color_rgb);
+    row.potential(belief.potential);
+    row.observation(belief.observation);
+    row.score(belief.score);
+    row.probability(belief.probability);
   }
   to_idl(in.region, out.region_now());
   to_idl(in.region_ahead, out.region_ahead());
@@ -103,18 +104,30 @@ Converted<IntentionAssessment> from_idl(const msg::TargetIntention& in) {
   Checks checks;
   IntentionAssessment out;
   check_header(checks, in.header());
-  checks.count("intentions", in.intentions().size(), kIntentionCount, kIntentionCount);
+  checks.count("intentions", in.intentions().size(), 1, kMaxIntentions);
   checks.in_range("obstacle_distance_m", in.obstacle_distance_m(), 0.0, limits::kPosition_m);
   checks.in_range("body_turn_angle_rad", in.body_turn_angle_rad(), -kPi, kPi);
   out.region = read_region(checks, in.region_now());
   out.region_ahead = read_region(checks, in.region_ahead());
   if (!checks.ok()) return checks.result(out);
   double sum = 0.0;
-  for (int i = 0; i < kIntentionCount; ++i) {
-    out.beliefs[i] = read_belief(checks, in.intentions()[i], i);
-    sum += out.beliefs[i].probability;
+  std::uint32_t seen = 0;  // a bit a place
+  for (const auto& row : in.intentions()) {
+    const IntentionBelief belief = read_belief(checks, row);
+    sum += belief.probability;
+    const auto id = intention_named(std::string_view(row.name().c_str()));
+    if (!id) {
+      ++out.unknown;
+      continue;
+    }
+    const std::uint32_t bit = 1U << index_of(*id);
+    if (seen & bit) checks.fail("intentions.name", row.name().c_str(), "each only once");
+    seen |= bit;
+    out[*id] = belief;
   }
   checks.sums_to_one("intentions.probability", sum);
+  out.count = kIntentionCount;
+  out.margins = margin_scores(out);
   out.stamp_s = seconds(in.header().stamp());
   out.obstacle_distance_m = in.obstacle_distance_m();
   out.body_turn_rad = in.body_turn_angle_rad();
@@ -130,8 +143,8 @@ void to_idl(const Prediction& in, msg::TargetPrediction& out) {
   for (std::size_t i = 0; i < in.paths.size(); ++i) {
     const PredictedPath& path = in.paths[i];
     auto& row = out.paths()[i];
-    row.intention(static_cast<std::uint8_t>(path.intention));
-    row.name(std::string(kIntentionNames[index_of(path.intention)]));
+    row.name(std::string(row_of(path.intention).name));
+    row.color_rgb(row_of(path.intention).color_rgb);
     row.probability(path.probability);
     if (path.states.size() > kMaxStates)
       throw std::length_error("TargetPrediction.paths.states: above 64");

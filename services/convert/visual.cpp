@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/prediction/intentions/intention_table.hpp"
 #include "services/convert/geometry.hpp"
 
 namespace foretrack {
@@ -25,10 +26,11 @@ constexpr Color kSector{0.95f, 0.75f, 0.2f, 0.6f};
 constexpr Color kVisible{0.2f, 0.7f, 0.9f, 0.4f};
 constexpr Color kCorridor{0.6f, 0.6f, 0.6f, 0.3f};
 constexpr Color kFlown{0.1f, 0.8f, 0.3f, 1.0f};
-constexpr Color kIntentionColors[kIntentionCount] = {{0.2f, 0.5f, 1.0f, 1.0f},   // forward
-                                                     {0.9f, 0.5f, 0.1f, 1.0f},   // left
-                                                     {0.7f, 0.2f, 0.8f, 1.0f},   // right
-                                                     {0.8f, 0.1f, 0.1f, 1.0f}};  // decelerate
+
+Color color_of(std::uint32_t rgb, float alpha) {
+  const auto part = [&](int shift) { return static_cast<float>(rgb >> shift & 0xFF) / 255.0f; };
+  return {part(16), part(8), part(0), alpha};
+}
 
 Marker& add_marker(MarkerArray& out, double stamp_s, const char* ns, int type, Color color) {
   const auto id = static_cast<std::int32_t>(out.markers().size());
@@ -158,8 +160,8 @@ void to_markers(const IntentionAssessment& intention, const Prediction& predicti
     add_region(out, intention.stamp_s, "reachable_ahead", intention.region_ahead);
   }
   for (const auto& path : prediction.paths) {
-    Color color = kIntentionColors[index_of(path.intention)];
-    color.a = static_cast<float>(0.15 + 0.85 * path.probability);
+    const auto alpha = static_cast<float>(0.15 + 0.85 * path.probability);
+    const Color color = color_of(row_of(path.intention).color_rgb, alpha);
     Marker& line = add_marker(out, prediction.stamp_s, "predicted", kinds::LINE_STRIP, color);
     for (const auto& state : path.states) add_point(line, state.position_enu_m);
   }

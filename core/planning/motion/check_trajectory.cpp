@@ -159,17 +159,6 @@ void Checker::check_clearance() {
   }
 }
 
-Vec3 target_at(const PredictedPath& path, double time_s) {
-  const auto& states = path.states;
-  const auto after = std::ranges::upper_bound(states, time_s, {}, &PredictedState::time_s);
-  const PredictedState& b = after == states.end() ? states.back() : *after;
-  if (after == states.begin() || after == states.end())
-    return b.position_enu_m + (time_s - b.time_s) * b.velocity_enu_m_s;
-  const PredictedState& a = *(after - 1);
-  const double w = (time_s - a.time_s) / (b.time_s - a.time_s);
-  return (1.0 - w) * a.position_enu_m + w * b.position_enu_m;
-}
-
 /// The least allowed distance is the floor, or while the start is left what the start's distance
 /// and closing speed leave unavoidable.
 void Checker::check_target_distance() {
@@ -180,7 +169,7 @@ void Checker::check_target_distance() {
   const double offset_s = trajectory.start_s - inputs.target_stamp_s;
   const double end_s = std::clamp(path->states.back().time_s - offset_s, 0.0, duration_s);
   const auto distance_at = [&](double t) {
-    return distance_xy(trajectory.position(t), target_at(*path, t + offset_s));
+    return distance_xy(trajectory.position(t), path->at(t + offset_s).position_enu_m);
   };
   const double start_m = distance_at(0.0);
   const double closing_m_s = std::max((start_m - distance_at(kTargetStep_s)) / kTargetStep_s, 0.0);

@@ -15,18 +15,13 @@ constexpr double kTurnReachShare = 0.5;  // of the vehicle's reach in a step, fo
 constexpr int kExpansionsOfOneSearch = 800;
 constexpr int kOtherSideSteps = 8;  // directions tried on each side for a hidden path
 
-double score_of(const IntentionAssessment* assessment, Intention intention) {
-  return assessment == nullptr ? 0.0 : (*assessment)[intention].score;
-}
-
 class LookingAhead {
  public:
   LookingAhead(const SearchContext& context, const ExpectedTarget& expected,
                const IntentionAssessment* assessment, StageClock& clock, LookAhead& out)
       : context_(context), expected_(expected), clock_(clock), out_(out) {
-    const bool margins = context.params.horizon.intention_margins;
-    left_ = margins ? score_of(assessment, Intention::kTurnLeft) : 0.0;
-    right_ = margins ? score_of(assessment, Intention::kTurnRight) : 0.0;
+    if (assessment != nullptr && context.params.horizon.intention_margins)
+      margins_ = assessment->margins;
   }
 
   // The vehicle cannot turn at once: the way begins along its present motion.
@@ -82,10 +77,10 @@ class LookingAhead {
     const Vec2 v = velocity.head<2>();
     const double heading_rad =
         v.norm() > kWalkingSpeed_m_s ? yaw_of(v) : view.visible.bisector_rad + kPi;
-    view.shrunk =
-        shrink(view.visible,
-               intention_margins(view.visible, heading_rad, left_, right_, context_.params.place),
-               context_.params.place.margin_share_max);
+    view.shrunk = shrink(view.visible,
+                         intention_margins(view.visible, heading_rad, margins_.left, margins_.right,
+                                           context_.params.place),
+                         context_.params.place.margin_share_max);
     return view;
   }
 
@@ -115,7 +110,7 @@ class LookingAhead {
   const ExpectedTarget& expected_;
   StageClock& clock_;
   LookAhead& out_;
-  double left_, right_;  // Π_tl, Π_tr
+  MarginScores margins_;
 };
 
 }  // namespace

@@ -21,9 +21,9 @@ struct View {
 struct LookAhead {
   SearchState search;
   WaypointPath way;
-  std::array<std::vector<View>, kIntentionCount> views;  // of each expected path
-  bool target_seen = false;                              // some waypoint sees its z_k
-  bool path_found = false;                               // some waypoint was reached
+  std::array<std::vector<View>, kMaxIntentions> views;  // of each expected path
+  bool target_seen = false;                             // some waypoint sees its z_k
+  bool path_found = false;                              // some waypoint was reached
 };
 
 /// Paper §V.A: for each z_k of the likeliest path a search for waypoint k goes on from waypoint

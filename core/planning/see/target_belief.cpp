@@ -11,7 +11,7 @@ constexpr double kExtrapolation_s = 0.4;  // of a path that ends before the plan
 
 void constant_velocity(const TargetState& target, const HorizonParams& params,
                        PredictedPath& path) {
-  path.intention = Intention::kForward;
+  path.intention = {};
   path.probability = 1.0;
   path.states.clear();
   const int count = static_cast<int>(std::lround(params.horizon_s / params.step_s));
@@ -26,23 +26,12 @@ void constant_velocity(const TargetState& target, const HorizonParams& params,
   }
 }
 
-// Position and velocity on the path at a time after the path's stamp.
-void sample(const PredictedPath& path, double time_s, Vec3& position, Vec3& velocity) {
-  const auto& states = path.states;
-  const auto after = std::find_if(states.begin(), states.end(),
-                                  [&](const PredictedState& s) { return s.time_s >= time_s; });
-  const PredictedState& near = after == states.end() ? states.back() : *after;
-  if (after == states.begin() || after == states.end()) {
-    const double ahead_s = std::clamp(time_s - near.time_s, -near.time_s, kExtrapolation_s);
-    position = near.position_enu_m + ahead_s * near.velocity_enu_m_s;
-    const bool stands = time_s - near.time_s > kExtrapolation_s;
-    velocity = stands ? Vec3::Zero() : near.velocity_enu_m_s;
-    return;
-  }
-  const PredictedState& before = *(after - 1);
-  const double part = (time_s - before.time_s) / (near.time_s - before.time_s);
-  position = before.position_enu_m + part * (near.position_enu_m - before.position_enu_m);
-  velocity = before.velocity_enu_m_s + part * (near.velocity_enu_m_s - before.velocity_enu_m_s);
+// On the path at a time after its stamp. Some time after its end the target stands.
+PathPoint sample(const PredictedPath& path, double time_s) {
+  const double last_s = path.states.back().time_s + kExtrapolation_s;
+  PathPoint point = path.at(std::clamp(time_s, 0.0, last_s));
+  if (time_s > last_s) point.velocity_enu_m_s.setZero();
+  return point;
 }
 
 }  // namespace
@@ -71,7 +60,7 @@ void update_belief(TargetBelief& belief, const TargetState& target, const Predic
   if (prediction != nullptr && prediction->status == PredictionStatus::kOk) {
     belief.stamp_s = prediction->stamp_s;
     for (const PredictedPath& path : prediction->paths) {
-      if (belief.count == kIntentionCount) break;
+      if (belief.count == kMaxIntentions) break;
       if (!path.states.empty()) belief.paths[belief.count++] = path;
     }
   }
@@ -95,9 +84,11 @@ void align(const TargetBelief& belief, double start_s, const HorizonParams& para
     sum += out.probability;
     out.positions_enu_m.resize(steps);
     out.velocities_enu_m_s.resize(steps);
-    for (int k = 0; k < steps; ++k)
-      sample(path, start_s + (k + 1) * params.step_s - belief.stamp_s, out.positions_enu_m[k],
-             out.velocities_enu_m_s[k]);
+    for (int k = 0; k < steps; ++k) {
+      const PathPoint point = sample(path, start_s + (k + 1) * params.step_s - belief.stamp_s);
+      out.positions_enu_m[k] = point.position_enu_m;
+      out.velocities_enu_m_s[k] = point.velocity_enu_m_s;
+    }
   }
   for (int i = 0; i < expected.count; ++i) expected.paths[i].probability /= sum;
 }

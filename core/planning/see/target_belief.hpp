@@ -14,7 +14,7 @@ namespace foretrack {
 /// The last prediction, kept for the time after the target is lost. Owned by the caller and reused.
 struct TargetBelief {
   double stamp_s = 0.0;
-  std::array<PredictedPath, kIntentionCount> paths;  // the first `count`, most probable first
+  std::array<PredictedPath, kMaxIntentions> paths;  // the first `count`, most probable first
   int count = 0;
 };
 
@@ -34,7 +34,7 @@ struct ExpectedPath {
 
 /// The paths to plan for; probabilities sum to 1.
 struct ExpectedTarget {
-  std::array<ExpectedPath, kIntentionCount> paths;  // the first `count`, most probable first
+  std::array<ExpectedPath, kMaxIntentions> paths;  // the first `count`, most probable first
   int count = 0;
 
   /// The likeliest path whose z_k is within near_m of path i's, or i itself.

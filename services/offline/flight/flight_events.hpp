@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/common/prediction.hpp"
+#include "core/prediction/intentions/intention_table.hpp"
 #include "services/offline/flight/flight_row.hpp"
 
 namespace foretrack {

@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "core/prediction/intentions/intention_table.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -72,10 +74,10 @@ void write_belief(Line& line, const FlightRow& r) {
   line.point("estimate", r.estimate.position_enu_m);
   line.point("estimate_v", Vec2(r.estimate.velocity_enu_m_s.head<2>()));
   line.number("estimate_body_yaw", r.estimate.body_yaw_rad);
-  for (int i = 0; i < kIntentionCount; ++i)
-    line.number("p_" + std::string(kIntentionNames[i]), r.beliefs[i].probability);
-  for (int i = 0; i < kIntentionCount; ++i)
-    line.number("score_" + std::string(kIntentionNames[i]), r.beliefs[i].score);
+  for (const IntentionRow& i : kIntentions)
+    line.number(fmt::format("p_{}", i.name), r.beliefs[index_of(i.id)].probability);
+  for (const IntentionRow& i : kIntentions)
+    line.number(fmt::format("score_{}", i.name), r.beliefs[index_of(i.id)].score);
   for (std::size_t i = 0; i < kForesight_s.size(); ++i)
     line.point(fmt::format("ahead_{:.1f}s", kForesight_s[i]), r.foresight_m[i]);
 }

@@ -38,7 +38,7 @@ struct FlightRow {
   AutopilotStatus autopilot;
   // What the tracker believes.
   TargetState estimate;
-  std::array<IntentionBelief, kIntentionCount> beliefs{};
+  std::array<IntentionBelief, kMaxIntentions> beliefs{};
   std::array<Vec2, kForesight_s.size()> foresight_m = no_foresight();
   // What it does.
   bool planned = false;  // a plan was made in this step

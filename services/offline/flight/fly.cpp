@@ -10,17 +10,11 @@
 namespace foretrack {
 namespace {
 
-// The path's point at a time, between its states; NaN beyond its end.
+// The path's point at a time; NaN beyond its end.
 Vec2 point_at(const PredictedPath& path, double time_s) {
-  for (std::size_t i = 0; i < path.states.size(); ++i) {
-    const PredictedState& next = path.states[i];
-    if (next.time_s < time_s - 1e-9) continue;
-    if (i == 0) return next.position_enu_m.head<2>();
-    const PredictedState& last = path.states[i - 1];
-    const double w = (time_s - last.time_s) / (next.time_s - last.time_s);
-    return ((1.0 - w) * last.position_enu_m + w * next.position_enu_m).head<2>();
-  }
-  return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (path.states.empty() || time_s > path.states.back().time_s + 1e-9)
+    return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  return path.at(time_s).position_enu_m.head<2>();
 }
 
 // What was last predicted and planned stays in the rows until the next plan.

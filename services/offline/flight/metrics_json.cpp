@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of_turn(const EventRecord& turn) {
-  return {{"kind", kIntentionNames[index_of(turn.event.kind)]},
+  return {{"kind", row_of(turn.event.kind).name},
           {"begin_s", turn.event.begin_s},
           {"end_s", turn.event.end_s},
           {"turn_rad", turn.event.turn_rad},

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/offline/flight/write_flight.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/prediction/intentions/intention_table.hpp"
 #include "services/files/share/share.hpp"
 #include "services/offline/flight/metrics_json.hpp"
 #include "services/offline/flight/run_program.hpp"
@@ -31,6 +34,9 @@ Json json_of_point(const Vec3& p) {
 std::string scenario_json_of(const FlightResult& flight, const MetricParams& params) {
   const World& world = flight.world;
   Json boxes = Json::array(), cylinders = Json::array(), turns = Json::array();
+  Json intentions = Json::array();
+  for (const IntentionRow& row : kIntentions)
+    intentions.push_back({{"name", row.name}, {"color", fmt::format("#{:06x}", row.color_rgb)}});
   for (const auto& b : world.boxes)
     boxes.push_back({{"min_m", json_of_point(b.min_m)}, {"max_m", json_of_point(b.max_m)}});
   for (const auto& c : world.cylinders)
@@ -48,6 +54,7 @@ std::string scenario_json_of(const FlightResult& flight, const MetricParams& par
                      {"near_m", params.near_m},
                      {"failure_rate", flight.metrics.failure_rate},
                      {"turns", turns},
+                     {"intentions", intentions},
                      {"boxes", boxes},
                      {"cylinders", cylinders}};
   return json.dump(1) + "\n";

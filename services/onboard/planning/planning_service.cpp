@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/planning/planning_service.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 
 #include "core/planning/stage_clock.hpp"
@@ -48,7 +50,7 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
   loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
   loop.on_newest(intention_reader_, convert,
-                 [this](const IntentionAssessment& intention) { intention_ = intention; });
+                 [this](const IntentionAssessment& intention) { believe(intention); });
   loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
     prediction_ = std::move(prediction);
     // Not before the last plan has started: the gate keeps but one waiting.
@@ -56,6 +58,13 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
     if (std::abs(service_.clock().now_s() - planned_s_) >= soonest_s) replan();
   });
   loop.every(kWatchPeriod_s, [this] { replan_if_late(); });
+}
+
+// Somebody else's prediction may know intentions that ask for margins which are not known here.
+void PlanningService::believe(const IntentionAssessment& intention) {
+  if (intention.unknown != (intention_ ? intention_->unknown : 0))
+    spdlog::warn("planning: {} intentions of the prediction are not known here", intention.unknown);
+  intention_ = intention;
 }
 
 void PlanningService::replan_if_late() {

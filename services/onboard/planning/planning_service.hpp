@@ -24,6 +24,7 @@ class PlanningService {
 
  private:
   void replan();
+  void believe(const IntentionAssessment& intention);
   void replan_if_late();
   PlanInput gather(double now_s) const;
   std::string missing(const PlanInput& input) const;

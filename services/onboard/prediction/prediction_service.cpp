@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/prediction/prediction_service.hpp"
 
+#include "core/prediction/calibrate.hpp"
 #include "services/common/time_now.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
@@ -19,6 +20,13 @@ constexpr double kSilence_s = 0.5;
 constexpr double kDeclarePeriod_s = 0.2;
 constexpr double kDrawPeriod_s = 0.1;
 
+// Whoever starts prediction is to know that these are never expected.
+std::string names_of(const std::vector<std::string_view>& unfitted) {
+  std::string names;
+  for (const std::string_view name : unfitted) names.append(names.empty() ? "" : ", ").append(name);
+  return names.empty() ? "none" : names;
+}
+
 }  // namespace
 
 PredictionService::PredictionService(Service& service, const PredictionParams& params)
@@ -30,6 +38,7 @@ PredictionService::PredictionService(Service& service, const PredictionParams& p
       prediction_(service.node()),
       path_(service.node()),
       markers_(service.node()) {
+  service.health().set_fact("unfitted_intentions", names_of(unfitted()));
   Loop& loop = service.loop();
   loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
   loop.on_newest(target_, convert, [this](const TargetState& target) {

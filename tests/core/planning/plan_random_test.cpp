@@ -149,7 +149,8 @@ TEST(PlanAnything, IsFiniteAndWhatIsNewPassedTheCheck) {
       const TargetState target = random_target(random, vehicle);
       const Prediction prediction = random_prediction(random, target);
       IntentionAssessment intention;
-      for (auto& belief : intention.beliefs) belief.score = random.uniform();
+      intention.stamp_s = now_s;
+      intention.margins = {random.uniform(), random.uniform(), random.uniform()};
       const PlanInput input{now_s,
                             vehicle,
                             target,

@@ -108,7 +108,7 @@ class Corner : public Plan {
   static PredictedPath path(double now_s, bool turns, double probability) {
     PredictedPath out;
     out.probability = probability;
-    out.intention = turns ? Intention::kTurnLeft : Intention::kForward;
+    out.intention = static_cast<Intention>(turns);
     for (int k = 1; k <= 15; ++k) {
       PredictedState s;
       s.time_s = 0.2 * k;
@@ -218,7 +218,8 @@ TEST_F(Corner, TheTurnScoreWidensTheMarginOnItsSide) {
   const auto bisector_rad = [&](double left_score) {
     PlanningState state;
     IntentionAssessment intention;
-    intention[Intention::kTurnLeft].score = left_score;
+    intention.stamp_s = now_s;
+    intention.margins.left = left_score;
     VehicleState vehicle = hovering({walked(now_s, true).x() - 2.0, 0.0, 1.5}, 0.0, now_s);
     PlanInput input =
         input_of(map_, vehicle, target_at(walked(now_s, true), {kSpeed_m_s, 0, 0}, now_s));
@@ -238,7 +239,8 @@ TEST_F(Plan, ALikelyDecelerationKeepsMoreDistance) {
   const auto distance_m = [&](double score) {
     PlanningState state;
     IntentionAssessment intention;
-    intention[Intention::kDecelerate].score = score;
+    intention.stamp_s = 1.0;
+    intention.margins.distance = score;
     PlanInput input = input_of(open_, hovering({-2.0, 0.0, 1.5}, 0.0, 1.0),
                                target_at({-0.4, 0, 1}, {0, 0, 0}, 1.0));
     input.intention = &intention;

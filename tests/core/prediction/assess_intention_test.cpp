@@ -82,8 +82,15 @@ TEST(AssessIntention, StaysFiniteAtAWall) {
               p.k3_decelerate_potential * 4.0 / p.obstacle_floor_m, 1e-12);
 }
 
-TEST(AssessIntention, HasOneRowForEachIntentionInOrder) {
-  for (int i = 0; i < kIntentionCount; ++i) EXPECT_EQ(index_of(intention_table()[i].intention), i);
+TEST(AssessIntention, AsksForTheMarginThatARowNamesByItsScore) {
+  IntentionAssessment a;
+  a[Intention::kTurnLeft].score = 0.7;
+  a[Intention::kTurnRight].score = 0.2;
+  a[Intention::kDecelerate].score = 0.4;
+  const MarginScores margins = margin_scores(a);
+  EXPECT_EQ(margins.left, 0.7);
+  EXPECT_EQ(margins.right, 0.2);
+  EXPECT_EQ(margins.distance, 0.4);
 }
 
 }  // namespace

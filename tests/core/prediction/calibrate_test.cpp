@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "core/common/random.hpp"
+#include "core/prediction/assess_intention.hpp"
 #include "tests/core/prediction/worlds.hpp"
 
 namespace foretrack {
@@ -20,7 +19,7 @@ IntentionAssessment assess(const TargetState& target, const GridMap& map) {
   const Surroundings surroundings = observe_surroundings(map, motion, params);
   IntentionAssessment assessment;
   assess_intention(motion, surroundings, params, assessment);
-  calibrate(motion, surroundings, !map.empty(), assessment);
+  calibrate(motion, surroundings, params, !map.empty(), assessment);
   return assessment;
 }
 
@@ -28,40 +27,48 @@ double probability(const IntentionAssessment& a, Intention i) {
   return a[i].probability;
 }
 
-TEST(Calibrate, GivesADistributionForAnyFeatures) {
+TEST(Calibrate, GivesADistributionForAnyEvidence) {
   Random random(1);
+  const PredictionParams params;
   for (const bool map_known : {false, true})
     for (const bool body_known : {false, true})
       for (int i = 0; i < 50; ++i) {
-        IntentionFeatures f;
-        for (auto* side : {&f.left, &f.right})
-          for (double& x : *side) x = random.normal(0.0, 100.0);
-        for (double& x : f.decelerate) x = random.normal(0.0, 100.0);
-        const auto p = probabilities(f, calibration_weights(map_known, body_known));
-        EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), 1.0, 1e-12);
-        for (const double x : p) EXPECT_TRUE(x >= 0.0 && x <= 1.0);
+        const auto any = [&] { return random.normal(0.0, 100.0); };
+        MotionCues motion;
+        motion.body_known = body_known;
+        motion.speed_m_s = std::abs(any()), motion.speed_fall_m_s = any();
+        motion.body_turn_rad = any(), motion.soon_turn_rad = any();
+        Surroundings surroundings;
+        surroundings.obstacle_distance_m = std::abs(any());
+        for (double& w : surroundings.left_width_m) w = std::abs(any());
+        IntentionAssessment a;
+        assess_intention(motion, surroundings, params, a);
+        calibrate(motion, surroundings, params, map_known, a);
+        double sum = 0.0;
+        for (const IntentionRow& row : kIntentions) {
+          const double p = a[row.id].probability;
+          EXPECT_TRUE(p >= 0.0 && p <= 1.0);
+          sum += p;
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-12);
       }
 }
 
 TEST(Calibrate, IsTheLogisticModelItClaimsToBe) {
-  CalibrationWeights w;
-  w.turn.row[0] = -1.0, w.turn.row[2] = 0.5;
-  w.turn.hidden[3][1] = 2.0, w.turn.hidden_bias[3] = -0.3, w.turn.hidden_gain[3] = 1.5;
-  w.decelerate.row[0] = 0.2;
-  w.decelerate.hidden[0][1] = 1.0, w.decelerate.hidden_gain[0] = -0.5;
-  IntentionFeatures f;
-  f.left = {1.0, 0.4, 2.0};
-  f.right = {1.0, -0.7, 1.0};
-  f.decelerate = {1.0, 0.6};
-  const double left = -1.0 + 1.0 + 1.5 * std::tanh(-0.3 + 0.8);
-  const double right = -1.0 + 0.5 + 1.5 * std::tanh(-0.3 - 1.4);
-  const double decelerate = 0.2 - 0.5 * std::tanh(0.6);
-  const double sum = 1.0 + std::exp(left) + std::exp(right) + std::exp(decelerate);
-  const auto p = probabilities(f, w);
-  EXPECT_NEAR(p[0], 1.0 / sum, 1e-12);
-  EXPECT_NEAR(p[1], std::exp(left) / sum, 1e-12);
-  EXPECT_NEAR(p[2], std::exp(right) / sum, 1e-12);
-  EXPECT_NEAR(p[3], std::exp(decelerate) / sum, 1e-12);
+  LogitWeights<3> w;
+  w.row = {-1.0, 0.0, 0.5};
+  w.hidden[3][1] = 2.0, w.hidden_bias[3] = -0.3, w.hidden_gain[3] = 1.5;
+  const std::array<double, 3> features = {1.0, 0.4, 2.0};
+  EXPECT_NEAR(logit_of(LogitView(w), features), -1.0 + 1.0 + 1.5 * std::tanh(-0.3 + 0.8), 1e-12);
+  EXPECT_THROW(logit_of(LogitView(w), std::span(features).first(2)), std::logic_error);
+}
+
+TEST(Calibrate, EveryShippedIntentionIsFittedInEveryStateOfKnowledge) {
+  EXPECT_TRUE(unfitted().empty());
+  for (const IntentionRow& row : IntentionTable(kIntentions).subspan(1))
+    for (const bool map_known : {false, true})
+      for (const bool body_known : {false, true})
+        EXPECT_EQ(row.head->weights(map_known, body_known).row.size(), row.head->features);
 }
 
 TEST(Calibrate, IsMirroredWhenTheWorldIs) {

@@ -42,8 +42,8 @@ double exact_clearance_m(const std::vector<Box>& boxes, const Vec2& p) {
 TEST(IntentionSearch, FollowsTheIntentionItselfInTheOpen) {
   const GridMap map = open_field();
   const PredictionParams params;
-  for (const auto& row : intention_table()) {
-    const auto found = search(request_from({0, 0}, {1.5, 0}, row.intention), map);
+  for (const IntentionRow& row : kIntentions) {
+    const auto found = search(request_from({0, 0}, {1.5, 0}, row.id), map);
     ASSERT_EQ(found.outcome.status, SearchStatus::kFound);
     ASSERT_EQ(static_cast<int>(found.path.size()), params.step_count());
     PlanarState x{{0, 0}, {1.5, 0}};
@@ -122,14 +122,14 @@ TEST(IntentionSearch, KeepsWholeArcsClearOfWalls) {
     for (int start = 0; start < 6; ++start) {
       const Vec2 p(random.uniform(-5, 5), random.uniform(-5, 5));
       if (exact_clearance_m(boxes, p) < params.target_radius_m + 0.15) continue;
-      for (const auto& row : intention_table()) {
+      for (const IntentionRow& row : kIntentions) {
         const Vec2 v = random.uniform(0.5, 2.0) * direction_of(random.uniform(-kPi, kPi));
-        const auto found = search(request_from(p, v, row.intention), map);
+        const auto found = search(request_from(p, v, row.id), map);
         if (found.outcome.status != SearchStatus::kFound) continue;
         ++paths;
         PlanarState x{p, v};
         for (const SearchNode& n : found.path) {
-          const MotionModel model = intention_table()[index_of(n.intention)].motion_model(params);
+          const MotionModel model = row_of(n.intention).motion_model(params);
           for (double t = 0.0; t <= params.step_s; t += 0.01)
             // A cell is occupied by its centre here, so a box may be a cell's half-diagonal off.
             ASSERT_GT(exact_clearance_m(boxes, advance(model, x, t).position_m),

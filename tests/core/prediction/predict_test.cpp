@@ -180,7 +180,7 @@ TEST(Predict, GrowsTheCovarianceAsTheIntegralOfItsModel) {
   // Constant velocity from independent errors: P + t² V + q t³ / 3.
   for (const PredictedState& z : forward->states) {
     const double t = z.time_s;
-    const double expected = 0.01 + t * t * 0.01 + params.forward_noise_m2_s3 * t * t * t / 3.0;
+    const double expected = 0.01 + t * t * 0.01 + kIntentions.front().noise_m2_s3 * t * t * t / 3.0;
     EXPECT_NEAR(z.covariance_m2(0, 0), expected, 1e-9);
     EXPECT_NEAR(z.covariance_m2(1, 1), expected, 1e-9);
   }

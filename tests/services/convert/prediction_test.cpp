@@ -2,6 +2,7 @@
 #include "services/convert/prediction.hpp"
 
 #include "convert_test_support.hpp"
+#include "core/prediction/assess_intention.hpp"
 
 namespace foretrack {
 namespace {
@@ -14,9 +15,11 @@ using PredictionMsg = foretrack_msgs::msg::TargetPrediction;
 IntentionAssessment assessment() {
   IntentionAssessment a;
   a.stamp_s = 7.25;
-  const double probabilities[] = {0.4, 0.3, 0.2, 0.1};
+  a.count = kIntentionCount;
   for (int i = 0; i < kIntentionCount; ++i)
-    a.beliefs[i] = {0.1 * i, 0.2 * i, 0.25 * i, probabilities[i]};
+    a.beliefs[i] = {0.1 * i, 0.2 * i, 0.9 * i / kIntentionCount, 0.1};
+  a.beliefs[0].probability = 1.0 - 0.1 * (kIntentionCount - 1);
+  a.margins = margin_scores(a);
   a.region = {.center_enu_m = {1, 2, 3},
               .radius_m = 1.5,
               .heading_rad = 0.3,
@@ -71,15 +74,61 @@ TEST(TargetIntentionMessage, RoundTrips) {
   EXPECT_EQ(out->body_turn_rad, in.body_turn_rad);
 }
 
+TEST(TargetIntentionMessage, TellsIntentionsByTheirNamesInAnyOrder) {
+  IntentionMsg m = message<IntentionMsg>(assessment());
+  std::swap(m.intentions().front(), m.intentions().back());
+  const auto out = from_idl(m);
+  ASSERT_TRUE(out) << out.fault().text;
+  for (const IntentionRow& row : kIntentions)
+    EXPECT_EQ((*out)[row.id].probability, assessment()[row.id].probability) << row.name;
+  EXPECT_EQ(out->margins.left, assessment()[Intention::kTurnLeft].score);
+}
+
+TEST(TargetIntentionMessage, ThoseThatAMessageLacksHaveProbabilityZero) {
+  IntentionMsg m = message<IntentionMsg>(assessment());
+  m.intentions().resize(1);
+  m.intentions()[0].probability(1.0);
+  const auto out = from_idl(m);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->count, kIntentionCount);
+  EXPECT_EQ((*out)[Intention::kForward].probability, 1.0);
+  EXPECT_EQ((*out)[Intention::kTurnLeft].probability, 0.0);
+}
+
+TEST(TargetIntentionMessage, CountsNamesThatItDoesNotKnowAndGivesTheirProbabilityToNobody) {
+  IntentionMsg m = message<IntentionMsg>(assessment());
+  auto& stranger = m.intentions().emplace_back(m.intentions()[0]);
+  stranger.name("sit_down");
+  stranger.probability(0.25);
+  m.intentions()[0].probability(m.intentions()[0].probability() - 0.25);
+  const auto out = from_idl(m);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->unknown, 1);
+  double sum = 0.0;
+  for (const IntentionRow& row : kIntentions) sum += (*out)[row.id].probability;
+  EXPECT_NEAR(sum, 0.75, 1e-12);
+}
+
+TEST(TargetIntentionMessage, SaysNameAndColourOfEachRow) {
+  const IntentionMsg m = message<IntentionMsg>(assessment());
+  ASSERT_EQ(m.intentions().size(), kIntentions.size());
+  for (const IntentionRow& row : kIntentions) {
+    const auto& said = m.intentions()[index_of(row.id)];
+    EXPECT_EQ(std::string_view(said.name().c_str()), row.name);
+    EXPECT_EQ(said.color_rgb(), row.color_rgb);
+  }
+}
+
 TEST(TargetIntentionMessage, RefusesEachBadField) {
   using M = IntentionMsg;
   testing::expect_each_refused<M>(
       message<M>(assessment()),
       testing::header_faults<M>() +
           std::vector<testing::PlantedFault<M>>{
-              {"intentions", [](M& m) { m.intentions().resize(3); }},
+              {"intentions", [](M& m) { m.intentions().clear(); }},
+              {"intentions", [](M& m) { m.intentions().resize(17); }},
               {"intentions", [](M& m) { m.intentions().resize(5000); }},
-              {"intentions.id", [](M& m) { m.intentions()[2].id(1); }},
+              {"intentions.name", [](M& m) { m.intentions()[2].name(m.intentions()[1].name()); }},
               {"intentions.potential", [](M& m) { m.intentions()[2].potential(kNaN); }},
               {"intentions.observation", [](M& m) { m.intentions()[2].observation(kInf); }},
               {"intentions.score", [](M& m) { m.intentions()[0].score(1.1); }},
@@ -117,6 +166,16 @@ TEST(TargetPredictionMessage, RoundTrips) {
   }
 }
 
+TEST(TargetPredictionMessage, CarriesPathsOfIntentionsThatItDoesNotKnow) {
+  PredictionMsg m = message<PredictionMsg>(prediction());
+  m.paths()[1].name("sit_down");
+  const auto out = from_idl(m);
+  ASSERT_TRUE(out) << out.fault().text;
+  ASSERT_EQ(out->paths.size(), 2u);
+  EXPECT_EQ(out->paths[1].intention, kUnknownIntention);
+  EXPECT_EQ(out->paths[1].probability, 0.25);
+}
+
 TEST(TargetPredictionMessage, NoTargetNeedsNoPaths) {
   const auto out = from_idl(message<PredictionMsg>(Prediction{}));
   ASSERT_TRUE(out) << out.fault().text;
@@ -132,7 +191,6 @@ TEST(TargetPredictionMessage, RefusesEachBadField) {
               {"status", [](M& m) { m.status(9); }},
               {"paths", [](M& m) { m.paths().clear(); }},
               {"paths", [](M& m) { m.paths().resize(17); }},
-              {"paths.intention", [](M& m) { m.paths()[0].intention(kIntentionCount); }},
               {"paths.probability", [](M& m) { m.paths()[0].probability(kNaN); }},
               {"paths.probability", [](M& m) { m.paths()[0].probability(0.5); }},
               {"paths.states", [](M& m) { m.paths()[1].states().clear(); }},

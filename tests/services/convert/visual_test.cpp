@@ -2,6 +2,7 @@
 #include "services/convert/visual.hpp"
 
 #include "convert_test_support.hpp"
+#include "core/prediction/intentions/intention_table.hpp"
 
 namespace foretrack {
 namespace {

@@ -5,6 +5,7 @@ export function typeOf(name: string): string;
 export function samplesAt(t: number, step: number, index: number, orders?: object):
   [string, unknown][];
 export function safety(t: number, more?: object): object;
+export const colors_rgb: Record<string, number>;
 export function probabilities(t: number): Record<string, number>;
 export function vehicleAt(t: number, index?: number):
   { x: number; y: number; z: number; behind: number };

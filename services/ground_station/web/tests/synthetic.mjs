@@ -77,6 +77,10 @@ function target(t, index) {
     rejected_measurements: 0 };
 }
 
+// Not those of the product: whatever a message says is shown.
+export const colors_rgb =
+  { forward: 0x56b4e9, left: 0xe69f00, right: 0x2fc79b, deceleration: 0xd98cbb };
+
 export function probabilities(t) {
   const left = 0.3 + 0.25 * Math.sin(0.7 * t);
   return { forward: 0.9 - left - 0.05, left, right: 0.05, deceleration: 0.1 };
@@ -90,14 +94,15 @@ function intention(t, index) {
   return { header: headerOf(t), obstacle_distance_m: 3, body_turn_angle_rad: 0.1,
     region_now: region,
     region_ahead: { ...region, center_m: [p.x + Math.cos(p.yaw), p.y + Math.sin(p.yaw), p.z] },
-    intentions: Object.entries(probabilities(t)).map(([name, probability], id) =>
-      ({ id, name, potential: 0, observation: 0, score: 0, probability })) };
+    intentions: Object.entries(probabilities(t)).map(([name, probability]) =>
+      ({ name, color_rgb: colors_rgb[name], potential: 0, observation: 0, score: 0,
+        probability })) };
 }
 
 function prediction(t, index) {
   const p = personAt(t, index);
   const turn = { forward: 0, left: 0.6, right: -0.6, deceleration: 0 };
-  const paths = Object.entries(probabilities(t)).map(([name, probability], id) => {
+  const paths = Object.entries(probabilities(t)).map(([name, probability]) => {
     const speed = name === "deceleration" ? 0.3 : p.speed;
     const states = Array.from({ length: 16 }, (_, i) => {
       const s = 0.2 * i;
@@ -105,7 +110,7 @@ function prediction(t, index) {
       return { time_from_stamp_s: s, velocity_mps: [0, 0, 0], covariance_xy_m2: [0, 0, 0, 0],
         position_m: [p.x + speed * s * Math.cos(yaw), p.y + speed * s * Math.sin(yaw), p.z] };
     });
-    return { intention: id, name, probability, states };
+    return { name, color_rgb: colors_rgb[name], probability, states };
   });
   return { header: headerOf(t), status: 0, paths, expansions: 100, compute_ms: 2.5 };
 }

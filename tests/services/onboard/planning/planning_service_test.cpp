@@ -24,7 +24,7 @@ class PlanningOnDds : public ::testing::Test {
     Prediction prediction;
     prediction.stamp_s = stamp_s;
     prediction.status = PredictionStatus::kOk;
-    PredictedPath path{Intention::kForward, 1.0, {}};
+    PredictedPath path{{}, 1.0, {}};
     for (int k = 1; k <= 15; ++k)
       path.states.push_back({.time_s = 0.2 * k,
                              .position_enu_m = {2.0 + 0.2 * k, 0.0, 1.0},

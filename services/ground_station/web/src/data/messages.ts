@@ -38,7 +38,7 @@ export interface CameraModel {
 }
 export interface TargetObservation { header: Header; kind: number; camera: CameraModel }
 
-export interface IntentionScore { id: number; name: string; probability: number }
+export interface IntentionScore { name: string; color_rgb: number; probability: number }
 export interface ReachableRegion {
   center_m: Vec3;
   radius_m: number;
@@ -56,8 +56,8 @@ export interface TargetIntention {
 }
 
 export interface PredictedPath {
-  intention: number;
   name: string;
+  color_rgb: number;
   probability: number;
   states: { time_from_stamp_s: number; position_m: Vec3 }[];
 }

@@ -7,7 +7,7 @@ import { band_m, distance_m, yawError_rad } from "../store/derive.ts";
 import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
 import { number } from "../ui/format.ts";
-import { intentionColor, spoken } from "../ui/palette.ts";
+import { colorOfRgb, spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import { Aged } from "./badge.tsx";
 
@@ -45,7 +45,7 @@ export function Readout({ session }: { session: Session }) {
         <span class="odds">{intention?.message.intentions.map((i) => (
           <span key={i.name} class="odd" title={`${i.name} ${i.probability.toFixed(2)}`}
             data-field={`p-${i.name}`} data-value={i.probability.toFixed(3)}>
-            <i style={{ background: intentionColor(i.name, i.id),
+            <i style={{ background: colorOfRgb(i.color_rgb),
               width: `${Math.round(100 * i.probability)}%` }} />
             <em>{spoken(i.name)} {i.probability.toFixed(2)}</em>
           </span>

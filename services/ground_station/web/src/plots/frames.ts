@@ -2,7 +2,7 @@
 // From the store's series to what each chart draws.
 import type { Series } from "../store/series.ts";
 import type { Vehicle } from "../store/state.ts";
-import { blue, colorOf, green, intentionColor, orange, spoken } from "../ui/palette.ts";
+import { blue, colorOf, green, grey, orange, spoken } from "../ui/palette.ts";
 import type { Frame, Line } from "./chart.ts";
 
 type Columns = (number | null)[][];
@@ -47,7 +47,8 @@ function linesOf(series: Series, from_s: number, lines: Line[]): Frame {
 }
 
 export const frames: Record<string, (vehicle: Vehicle, from_s: number) => Frame> = {
-  intention: (v, from_s) => stackOf(v.intention, from_s, intentionColor),
+  intention: (v, from_s) =>
+    stackOf(v.intention, from_s, (name) => v.intentionColors.get(name) ?? grey),
   distance: (v, from_s) => linesOf(v.distance, from_s, [{ name: "distance", color: blue }]),
   speed: (v, from_s) => linesOf(v.speed, from_s,
     [{ name: "vehicle", color: blue }, { name: "person", color: orange, dash: [5, 3] }]),

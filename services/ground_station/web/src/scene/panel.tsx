@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef } from "preact/hooks";
 
+import { spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import type { ViewKind } from "./messages.ts";
 import { SceneScreen } from "./screen.ts";
@@ -37,19 +38,19 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
         <button aria-pressed={screen.current?.cut ?? true} onClick={() => handle.cut()}
           title="cut walls low (W)">Cut walls</button>
       </nav>
-      <Legend />
+      <Legend session={session} />
     </section>
   );
 }
 
-function Legend() {
+function Legend({ session }: { session: Session }) {
+  const colors = session.vehicle?.intentionColors ?? new Map<string, string>();
   return (
     <ul class="legend" aria-label="legend">
-      <li class="c-blue">forward</li>
-      <li class="c-orange">turn left</li>
-      <li class="c-green">turn right</li>
-      <li class="c-pink">decelerate</li>
-      <li class="c-plan">plan</li>
+      {[...colors].map(([name, color]) => (
+        <li key={name}><i style={{ background: color }} />{spoken(name)}</li>
+      ))}
+      <li><i class="plan" />plan</li>
     </ul>
   );
 }

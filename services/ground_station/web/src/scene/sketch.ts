@@ -10,7 +10,7 @@ import type { Heard, Latest } from "../store/state.ts";
 
 const planPoints = 48;
 
-export interface Path { name: string; intention: number; probability: number; points: Float32Array }
+export interface Path { color_rgb: number; probability: number; points: Float32Array }
 export interface Plan {
   points: Float32Array;
   tail: number; // from which share on it only stops
@@ -39,8 +39,8 @@ export const moreOfChosen: readonly Drawn[] = ["target/intention", "plan/traject
 type Maker<T extends Drawn> = (message: Latest[T]["message"], chosen: boolean) => Sketches[T];
 
 function pathsOf({ paths }: TargetPrediction): Path[] {
-  return paths.map(({ name, intention, probability, states }) =>
-    ({ name, intention, probability, points: flat(states.map((s) => s.position_m)) }));
+  return paths.map(({ color_rgb, probability, states }) =>
+    ({ color_rgb, probability, points: flat(states.map((s) => s.position_m)) }));
 }
 
 function planOf(plan: PlannedTrajectory, chosen: boolean): Plan {

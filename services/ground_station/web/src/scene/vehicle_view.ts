@@ -5,7 +5,7 @@ import { Color, Group } from "three";
 import { Track } from "../data/words.ts";
 import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
-import { blue, colorOf, green, intentionColor, orange } from "../ui/palette.ts";
+import { blue, colorOf, colorOfRgb, green, orange } from "../ui/palette.ts";
 import { PersonBody, VehicleBody } from "./bodies.ts";
 import { polytopeEdges } from "./corridor.ts";
 import type { SeenVehicle } from "./known.ts";
@@ -125,7 +125,7 @@ export class VehicleView {
         continue;
       }
       const p = Math.min(1, Math.max(0, path.probability));
-      const color = colorNamed(intentionColor(path.name, path.intention));
+      const color = colorNamed(colorOfRgb(path.color_rgb));
       this.ribbons.set(i, triples(path.points, 0.06 + 0.02 * i), 0.05 + 0.22 * p, () => color,
         (share) => (0.15 + 0.85 * p) * (1 - 0.4 * share));
     }

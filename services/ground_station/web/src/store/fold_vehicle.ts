@@ -7,6 +7,7 @@ import {
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
 import { GateReason, leaseCommand, Mode, PlanState, ServiceState, Track } from "../data/words.ts";
+import { colorOfRgb } from "../ui/palette.ts";
 import { hold, note } from "./alarms.ts";
 import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
 import type { Rung, Severity, State, Vehicle } from "./state.ts";
@@ -38,6 +39,8 @@ const foldTarget: Fold = (state, vehicle, { message, time_s }) => {
 
 const foldIntention: Fold = (_state, vehicle, { message, time_s }) => {
   const { intentions } = message as TargetIntention;
+  for (const { name, color_rgb } of intentions)
+    vehicle.intentionColors.set(name, colorOfRgb(color_rgb));
   vehicle.intention.pushNamed(time_s, new Map(intentions.map((i) => [i.name, i.probability])));
 };
 

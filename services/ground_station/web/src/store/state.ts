@@ -40,6 +40,7 @@ export interface Vehicle {
   services: Map<string, Heard<ServiceHealth>>;
   lost_before: Map<string, number>; // rejected samples by service, to tell new ones
   intention: Series;
+  intentionColors: Map<string, string>; // by name, as the messages say
   distance: Series;
   speed: Series;
   yawError: Series;
@@ -117,7 +118,7 @@ export function makeVehicle(name: string, before: number): Vehicle {
   const index = number > 0 ? number - 1 : before;
   return {
     name, index, heard_s: -Infinity, latest: {}, services: new Map(), lost_before: new Map(),
-    intention: new Series([]),
+    intention: new Series([]), intentionColors: new Map(),
     distance: new Series(["distance"]),
     speed: new Series(["vehicle", "person"]),
     yawError: new Series(["yaw error"]),

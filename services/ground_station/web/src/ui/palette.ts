@@ -13,18 +13,12 @@ export const grey = "#8a97a5";
 const cycle = [blue, orange, green, pink, yellow, deep, red, grey];
 export const colorOf = (index: number): string => cycle[index % cycle.length]!;
 
-const intentions: Record<string, string> = {
-  forward: blue, left: orange, right: green, decelerat: pink,
-};
-const ids = [blue, orange, green, pink];
-
 /** turn_left → turn left */
 export const spoken = (name: string): string => name.replaceAll("_", " ");
 
-export function intentionColor(name: string, index: number): string {
-  const known = Object.keys(intentions).find((word) => name.includes(word));
-  return known ? intentions[known]! : ids[index] ?? colorOf(index);
-}
+/** A message's color_rgb, 0xRRGGBB; recordings from before there was one are grey. */
+export const colorOfRgb = (rgb: number | undefined): string =>
+  rgb === undefined ? grey : `#${(rgb & 0xffffff).toString(16).padStart(6, "0")}`;
 
 /** Track, coast, hover, brake, silent: lighter is worse, and each has its height in the ladder. */
 export const modeColors = [blue, yellow, orange, red, pink];

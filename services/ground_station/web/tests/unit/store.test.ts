@@ -4,6 +4,7 @@ import { test } from "node:test";
 
 import { acknowledge } from "../../src/store/alarms.ts";
 import type { Alarm, State } from "../../src/store/state.ts";
+import { grey } from "../../src/ui/palette.ts";
 import { fold, health, odometry, safety, sample, target } from "./make.ts";
 
 const alarm = (state: State, key: string): Alarm | undefined => state.alarms.get(key);
@@ -159,4 +160,17 @@ test("the same inputs give the same state", () => {
     sample("/a/safety/state", i / 10, safety(i / 10, { mode: i % 30 === 0 ? 1 : 0 })),
     { kind: "time" as const, now_s: i / 10 }]).flat();
   assert.deepEqual(fold(inputs), fold(inputs));
+});
+
+test("intentions bear the names and colours of their messages, however many there are", () => {
+  const said = (t: number, rows: [string, number, number | undefined][]) =>
+    sample("/a/target/intention", t, { intentions: rows.map(([name, probability, color_rgb]) =>
+      ({ name, probability, color_rgb })) });
+  const state = fold([said(1, [["forward", 0.9, 0x56b4e9], ["sit_down", 0.1, 0x00ff0a]]),
+    said(2, [["sit_down", 0.7, 0x00ff0a], ["old", 0.3, undefined]])]);
+  const vehicle = state.vehicles.get("a")!;
+  assert.deepEqual(vehicle.intention.names, ["forward", "sit_down", "old"]);
+  assert.equal(vehicle.intention.newest(1), 0.7);
+  assert.equal(vehicle.intentionColors.get("sit_down"), "#00ff0a");
+  assert.equal(vehicle.intentionColors.get("old"), grey);
 });
