@@ -82,6 +82,7 @@ TEST_F(WatchOthers, EverybodyElseInTheImageIsTold) {
   EXPECT_GT(others_[0].pose->torso_px().x(), 220.0);
   fake_.see({0.9, 0.5}, 0.2, 3.0);  // a third one, whom the detector alone sees
   look(0.4);
+  look(0.6);  // on the other side
   ASSERT_EQ(others_.size(), 2u);
   EXPECT_TRUE(others_[0].pose.has_value());
   EXPECT_FALSE(others_[1].pose.has_value());
