@@ -10,7 +10,7 @@ namespace foretrack {
 /// How patient the gate is with the flight controller.
 struct CarryOutParams {
   AskParams ask;
-  double heartbeat_before_s = 1.0;  // unbroken, before offboard is asked for
+  double heartbeat_before_s = 1.2;  // unbroken, before offboard is asked for
   double patience_s = 30.0;         // for target, map and plan after an order to start
 };
 

@@ -55,7 +55,7 @@ struct SafetyParams {
   // the flight controller
   double answer_s = 1.5;
   double done_s = 4.0;
-  double heartbeat_before_s = 1.0;
+  double heartbeat_before_s = 1.2;
   double start_patience_s = 30.0;
 
   MissionRules mission_rules() const { return {command_max_age_s, command_future_s, lease_s}; }

@@ -40,7 +40,7 @@ TEST(Takeover, AStartAsksOnceToArmAndOnceForOffboardWhenAPlanIsThere) {
 TEST(Takeover, OffboardIsAskedForAfterAnUnbrokenHeartbeat) {
   FlightLoop loop;
   loop.order(MissionOrder::kStart);
-  while (loop.now_s < 0.95) loop.run_with_plans(kTick_s);
+  while (loop.now_s < 1.15) loop.run_with_plans(kTick_s);
   EXPECT_EQ(loop.autopilot.total(), 0);
   EXPECT_TRUE(loop.result.heartbeat);
   EXPECT_FALSE(loop.result.setpoint);
