@@ -33,7 +33,7 @@ std::string text_of_counts(const std::vector<Window>& windows) {
   std::string text = std::to_string(windows.size()) + " windows:";
   for (const IntentionRow& row : kIntentions) {
     const auto count = std::ranges::count(windows, index_of(row.id), &Window::label);
-    text += " " + std::to_string(count) + " " + std::string(row.name);
+    text.append(" ").append(std::to_string(count)).append(" ").append(row.name);
   }
   return text;
 }
