@@ -58,16 +58,20 @@ endfunction()
 foretrack_precompiled(foretrack_pch HEADERS <Eigen/Dense> <algorithm> <array> <cmath> <functional>
   <map> <memory> <optional> <string> <vector>)
 
+# All sources in a folder of the calling one and, where they are named, in folders of it.
+function(foretrack_sources variable folder)  # VARIABLE FOLDER [INNER …]
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE inner)
+  list(TRANSFORM inner APPEND /*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${folder}/*.cpp ${inner})
+  set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
 # A static library foretrack_<name> from all sources in a folder and, where it has them, in FOLDERS
 # of it. <name> is the last part of the folder's path.
 function(foretrack_library folder)
   cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS" ${ARGN})
   cmake_path(GET folder FILENAME name)
-  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
-  foreach(inner ${ARG_FOLDERS})
-    list(APPEND patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${inner}/*.cpp)
-  endforeach()
-  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  foretrack_sources(sources ${folder} ${ARG_FOLDERS})
   if(NOT sources)
     message(FATAL_ERROR "the library ${folder} has no sources")
   endif()
@@ -78,16 +82,12 @@ function(foretrack_library folder)
   foretrack_use_precompiled(foretrack_${name} foretrack_pch)
 endfunction()
 
-# A GoogleTest program from all sources of a folder (and of FOLDERS in it); ctest runs it as one test, or, with PARTS, each
-# of these suites as one, and the rest.
+# A GoogleTest program from all sources of a folder (and of FOLDERS in it); ctest runs it as one
+# test, or, with PARTS, each of these suites as one, and the rest.
 # foretrack_test(core/planning LABEL unit DEPENDS foretrack_planning)
 function(foretrack_test folder)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "FOLDERS;DEPENDS;PARTS" ${ARGN})
-  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
-  foreach(inner ${ARG_FOLDERS})
-    list(APPEND patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${inner}/*.cpp)
-  endforeach()
-  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  foretrack_sources(sources ${folder} ${ARG_FOLDERS})
   if(NOT sources)
     message(FATAL_ERROR "the tests ${folder} are registered and have no sources")
   endif()

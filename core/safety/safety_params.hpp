@@ -10,7 +10,8 @@
 
 namespace foretrack {
 
-/// What each of them means, and its range, is in its row: see rows(), or `foretrack params safety`.
+/// Defaults are those of the parts that the gate is made of. What each of them means, and its
+/// range, is in its row: see rows(), or `foretrack params safety`.
 struct SafetyParams {
   // ages, by arrival
   double plan_fresh_s = 0.25;
@@ -22,41 +23,41 @@ struct SafetyParams {
   double bodies_stale_s = 1.0;
   double recover_s = 0.5;
   // odometry
-  double odometry_jump_m = 0.5;
-  double odometry_drift_m = 0.5;
-  double odometry_frozen_m = 0.6;
-  double odometry_settle_s = 1.0;
+  double odometry_jump_m = OdometryParams{}.jump_m;
+  double odometry_drift_m = OdometryParams{}.drift_m;
+  double odometry_frozen_m = OdometryParams{}.frozen_path_m;
+  double odometry_settle_s = OdometryParams{}.settle_s;
   // what a plan may demand, and keep clear of
-  double speed_max_m_s = 3.0;
-  double acceleration_max_m_s2 = 5.0;
-  double yaw_rate_max_rad_s = 2.0;
-  double vehicle_radius_m = 0.25;
-  double obstacle_m = 0.30;
-  double body_m = 0.3;
-  double bounds_m = 0.5;
-  bool needs_map = true;
+  double speed_max_m_s = MotionLimits{}.speed_m_s;
+  double acceleration_max_m_s2 = MotionLimits{}.acceleration_m_s2;
+  double yaw_rate_max_rad_s = MotionLimits{}.yaw_rate_rad_s;
+  double vehicle_radius_m = Clearances{}.vehicle_radius_m;
+  double obstacle_m = Clearances{}.obstacle_m;
+  double body_m = Clearances{}.body_m;
+  double bounds_m = Clearances{}.bounds_m;
+  bool needs_map = PlanCheckParams{}.needs_map;
   // limits of the flight
   double altitude_min_m = -1000.0;
   double altitude_max_m = 1000.0;
-  double battery_reserve = 0.15;
-  double link_timeout_s = 0.0;
-  int fence_reaction = 1;
-  int altitude_reaction = 1;
-  int battery_reaction = 2;
-  int link_reaction = 1;
+  double battery_reserve = LimitParams{}.battery_reserve;
+  double link_timeout_s = LimitParams{}.link_timeout_s;
+  int fence_reaction = LimitParams{}.reactions[0];
+  int altitude_reaction = LimitParams{}.reactions[1];
+  int battery_reaction = LimitParams{}.reactions[2];
+  int link_reaction = LimitParams{}.reactions[3];
   // flight
   double max_deviation_m = 1.0;
   double brake_done_m_s = 0.2;
   double response_s = 0.1;
   // orders
-  double command_max_age_s = 1.0;
-  double command_future_s = 0.5;
-  double lease_s = 5.0;
+  double command_max_age_s = MissionRules{}.max_age_s;
+  double command_future_s = MissionRules{}.future_s;
+  double lease_s = MissionRules{}.lease_s;
   // the flight controller
-  double answer_s = 1.5;
-  double done_s = 4.0;
-  double heartbeat_before_s = 1.2;
-  double start_patience_s = 30.0;
+  double answer_s = AskParams{}.answer_s;
+  double done_s = AskParams{}.done_s;
+  double heartbeat_before_s = CarryOutParams{}.heartbeat_before_s;
+  double start_patience_s = CarryOutParams{}.patience_s;
 
   MissionRules mission_rules() const { return {command_max_age_s, command_future_s, lease_s}; }
   CarryOutParams carry_out() const {

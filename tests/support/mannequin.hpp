@@ -19,6 +19,16 @@ inline Skeleton standing_skeleton() {
   return {side(11), side(13), side(15), side(19), side(23), side(25), side(27), side(31)};
 }
 
+/// Somebody of 1.7 m who walks at 1.4 m/s, at a place 3 m ahead of the origin.
+inline PersonState walking(double yaw_rad, double stride_rad) {
+  PersonState person;
+  person.position_enu_m = {3.0, 0.5, torso_height_m(1.7)};
+  person.velocity_enu_m_s.head<2>() = 1.4 * direction_of(yaw_rad);
+  person.body_yaw_rad = yaw_rad;
+  person.stride_rad = stride_rad;
+  return person;
+}
+
 /// A box around a segment.
 inline void add_bone(PersonMesh& mesh, const Eigen::Vector3f& from, const Eigen::Vector3f& to,
                      float half, int texture) {

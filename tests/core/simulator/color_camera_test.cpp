@@ -9,14 +9,7 @@
 namespace foretrack {
 namespace {
 
-PersonState walking(double yaw_rad, double stride_rad) {
-  PersonState person;
-  person.position_enu_m = {3.0, 0.5, torso_height_m(1.7)};
-  person.velocity_enu_m_s.head<2>() = 1.4 * direction_of(yaw_rad);
-  person.body_yaw_rad = yaw_rad;
-  person.stride_rad = stride_rad;
-  return person;
-}
+using testing::walking;
 
 VehicleState hovering() {
   VehicleState vehicle;
