@@ -65,12 +65,12 @@ Converted<BatteryState> from_idl(const msg::BatteryStatus& in) {
   return checks.result(out);
 }
 
-bool is_of_our_making(const msg::FailsafeFlags& f) {
+bool is_of_our_making(const msg::FailsafeFlags& f, bool was) {
   const bool guards = f.geofence_breached() || f.battery_unhealthy() || f.fd_critical_failure() ||
                       f.fd_motor_failure() || f.fd_esc_arming_failure() ||
                       f.local_position_invalid() ||
                       f.battery_warning() >= msg::BatteryStatus_Constants::WARNING_CRITICAL;
-  return f.offboard_control_signal_lost() && !guards;
+  return (f.offboard_control_signal_lost() || was) && !guards;
 }
 
 void to_flags(double stamp_s, bool offboard_possible, BatteryWarning warning, bool trouble,

@@ -21,8 +21,9 @@ void to_flags(double stamp_s, bool offboard_possible, BatteryWarning warning, bo
               px4_msgs::msg::FailsafeFlags& out);
 
 /// The lost offboard signal alone can be what a failsafe acts for: we were silent ourselves, and a
-/// request for a mode cancels nothing that guards the vehicle.
-bool is_of_our_making(const px4_msgs::msg::FailsafeFlags& flags);
+/// request for a mode cancels nothing that guards the vehicle. `was`: the failsafe that still acts
+/// was so when the signal was lost; the flags forget it as soon as the signal is back.
+bool is_of_our_making(const px4_msgs::msg::FailsafeFlags& flags, bool was = false);
 
 /// What offboard mode needs and has not got, and what hinders arming: "no offboard signal, no local
 /// position". Empty: nothing.

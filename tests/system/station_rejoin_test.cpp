@@ -120,10 +120,10 @@ TEST_F(Rejoin, AStationThatVehiclesForgotHearsAndOrdersAgain) {
            true;
   };
   ASSERT_TRUE(eventually([&] { return live(station).contains("/uav1/plan/trajectory"); }, 60.0));
+  ASSERT_TRUE(eventually([&] { return ask("/api/lease", "action", "take"); }, 20.0));
+  ASSERT_TRUE(ask("/api/command", "command", "start"));  // before the person is out of sight
   Program growing(growing_vehicle({}), folder_.path / "growing", "/usr/bin/env");
   ASSERT_TRUE(eventually([&] { return has_grown(station); }, 30.0));
-  ASSERT_TRUE(eventually([&] { return ask("/api/lease", "action", "take"); }, 20.0));
-  ASSERT_TRUE(ask("/api/command", "command", "start"));
   ASSERT_TRUE(ask("/api/record", "action", "start"));
   const auto before = live(station);
   ASSERT_GT(before.size(), kTopics + 8u);

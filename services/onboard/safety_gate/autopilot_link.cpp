@@ -38,7 +38,7 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
   });
   loop.on_each(flags_reader_, [this](const px4_msgs::msg::FailsafeFlags& flags) {
     hindrance_ = what_hinders_offboard(flags);
-    silence_alone_ = is_of_our_making(flags);
+    silence_alone_ = is_of_our_making(flags, silence_alone_ && status_.failsafe);
   });
   loop.on_each(ack_reader_, [this](const px4_msgs::msg::VehicleCommandAck& m) { hear_answer(m); });
   loop.on_each(sticks_reader_, [this](const px4_msgs::msg::ManualControlSetpoint& m) {

@@ -104,8 +104,20 @@ void SafetyGateService::tick() {
   if (result.memory_changed) memory_.write(state_.memory);
   if (in.command) orders_.pop_front();
   plan_.reset();
+  tell_turn(result);
   publish(result);
   last_ = result;
+}
+
+// The log shall answer what an operator asks after a flight: who ended it, and why.
+void SafetyGateService::tell_turn(const GateResult& now) const {
+  if (now.request != AutopilotRequest::kNone)
+    spdlog::info("safety_gate: the flight controller is asked for {}", to_string(now.request));
+  if (now.phase == last_.phase && now.end == last_.end) return;
+  const bool refused = now.end == MissionEnd::kRefused;
+  spdlog::info("safety_gate: {} -> {}{}{}{}", to_string(last_.phase), to_string(now.phase),
+               now.end == MissionEnd::kNone ? "" : ": ", to_string(now.end),
+               refused ? fmt::format(" {} ({})", to_string(now.asked), to_string(now.answer)) : "");
 }
 
 bool SafetyGateService::is_news(const GateResult& r) const {

@@ -31,6 +31,7 @@ class SafetyGateService {
   void remember_start(const std::filesystem::path& memory_file);
   void hear_order(const foretrack_msgs::msg::MissionCommand& message);
   void tick();
+  void tell_turn(const GateResult& now) const;
   void publish(const GateResult& result);
   bool is_news(const GateResult& result) const;
   std::string alarm();

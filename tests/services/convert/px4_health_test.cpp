@@ -53,6 +53,10 @@ TEST(FailsafeFlags, TellOurOwnSilenceFromWhatGuardsTheVehicle) {
   EXPECT_FALSE(is_of_our_making(flags));
   to_flags(1.0, false, BatteryWarning::kCritical, false, flags);
   EXPECT_FALSE(is_of_our_making(flags));
+  to_flags(1.0, true, BatteryWarning::kNone, false, flags);
+  EXPECT_TRUE(is_of_our_making(flags, true)) << "the signal is back, the failsafe still acts";
+  to_flags(1.0, true, BatteryWarning::kNone, true, flags);
+  EXPECT_FALSE(is_of_our_making(flags, true));
 }
 
 TEST(BatteryStatus, RoundTripsAndMustBeConnected) {

@@ -40,7 +40,7 @@ export class Flight {
 
   service(vehicle: string, service: string, ...more: string[]): void {
     this.start(`${vehicle} ${service}`, service, "--vehicle", vehicle, "--use-sim-time",
-      "--log-level", "error", "--state-dir", join(this.folder, vehicle), ...more);
+      "--log-level", "info", "--state-dir", join(this.folder, vehicle), ...more);
   }
 
   /** An order from the terminal; whoever follows starts only then. */
