@@ -64,7 +64,7 @@ Vec2 direction_away(const Vec3& stop, double time_s, const BodyCourses& courses,
 
 struct Evasion {
   QuinticPiece piece;
-  double cost_m3s = 0.0;
+  double cost = 0.0;
 };
 
 // All evasions that keep the limits, in the order in which they are made.
@@ -93,7 +93,7 @@ class Evasions {
           offer(end, length_m * direction);
         }
     }
-    std::ranges::sort(found_.begin(), found_.begin() + count_, {}, &Evasion::cost_m3s);
+    std::ranges::sort(found_.begin(), found_.begin() + count_, {}, &Evasion::cost);
   }
   std::span<const Evasion> best_first() const {
     return {found_.data(), static_cast<std::size_t>(count_)};
@@ -111,7 +111,7 @@ class Evasions {
     const BodyGaps gaps = measure_gaps(scratch_, 0.0, courses_, task_.limits, task_.params.body);
     const double detour =
         kLengthCost_m2s * offset.squaredNorm() + kClimbCost_m2s * offset.z() * offset.z();
-    found_[count_++] = {piece, gaps.cost_m3s + detour};
+    found_[count_++] = {piece, gaps.cost + detour};
   }
 
   const PlanTask& task_;
@@ -123,13 +123,13 @@ class Evasions {
 
 }  // namespace
 
-std::optional<CheckResult> evade(PlanningState& s, const PlanTask& task, double cost_to_beat_m3s) {
+std::optional<CheckResult> evade(PlanningState& s, const PlanTask& task, double cost_to_beat) {
   Evasions evasions(s, task);
   evasions.collect();
   PlannedTrajectory& trajectory = s.evading;
   trajectory.tail_start_s = 0.0;
   for (const Evasion& evasion : evasions.best_first()) {
-    if (evasion.cost_m3s >= cost_to_beat_m3s) break;
+    if (evasion.cost >= cost_to_beat) break;
     trajectory.pieces.assign(1, evasion.piece);
     aim(s, task, trajectory);
     const CheckResult result = check(s, task, trajectory);

@@ -59,6 +59,13 @@ const PlanResult& brake(PlanningState& s, const PlanTask& task, PlanReason reaso
   return s.flown_result();
 }
 
+// Whether the shortest stop is clear of everybody who moves. Works in state.evading.
+bool stop_keeps_gaps(PlanningState& s, const PlanTask& task) {
+  s.evading.start_s = task.start.time_s;
+  s.evading.pieces.assign(1, make_stop_tail(task.start.state, task.limits).piece);
+  return measure_gaps(s.evading, 0.0, s.courses, task.limits, task.params.body).ok;
+}
+
 }  // namespace
 
 PlanReason try_stop(PlanningState& s, const PlanTask& task, StageClock& clock) {
@@ -78,15 +85,15 @@ const PlanResult& fall_back(PlanningState& s, const PlanTask& task, PlanReason r
   const double t_s = task.start.time_s - flown.start_s;
   const std::optional<BodyGaps> kept = gaps_of_rest(s, task, flown, t_s);
   if (kept && kept->ok) return keep(s, t_s, reason, clock);
+  if (!kept && stop_keeps_gaps(s, task)) return brake(s, task, reason, clock);
 
-  // Somebody comes too near, or nothing that was flown is clear: the best that
-  // is possible.
-  double cost_to_beat_m3s = kept ? kBetter * kept->cost_m3s : kInfinity;
+  // Somebody comes too near: the best that is possible.
+  double cost_to_beat = kept ? kBetter * kept->cost : kInfinity;
   const CheckResult& candidate = s.next_result().diagnostics.check;
   const bool only_too_near = candidate.reason == PlanReason::kTooNearTarget;
-  const bool takes_candidate = only_too_near && candidate.gaps.cost_m3s < cost_to_beat_m3s;
-  if (takes_candidate) cost_to_beat_m3s = kBetter * candidate.gaps.cost_m3s;
-  const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat_m3s);
+  const bool takes_candidate = only_too_near && candidate.gaps.cost < cost_to_beat;
+  if (takes_candidate) cost_to_beat = kBetter * candidate.gaps.cost;
+  const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat);
   clock.lap(PlanStage::kCheck);
   if (evasion) {
     std::swap(s.next_result().trajectory, s.evading);

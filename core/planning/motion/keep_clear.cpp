@@ -13,6 +13,7 @@ namespace {
 constexpr double kStep_s = 0.05;
 constexpr double kStands_m_s = 0.05;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
+constexpr double kLeastWeight = 5.0;  // of what is missing of the least gap, in metres
 constexpr double kReachWeight = 4.0;  // of a gap that bodies can close, against an expected one
 
 double cubed(double x) {
@@ -22,7 +23,7 @@ double cubed(double x) {
 // The least gap that bodies can make, and what is missing of it, along one motion.
 struct Closing {
   double least_m = kFar_m;
-  double cost_m3s = 0.0;
+  double cost = 0.0;
 };
 
 struct Measuring {
@@ -35,7 +36,7 @@ struct Measuring {
       if (after_s > course.horizon_s) continue;
       const double gap_m = expected_gap_m(p, params.hull_radius_m, course.body, time_s);
       if (gap_m < gaps.least_m) gaps.least_m = gap_m, gaps.least_at_s = after_s;
-      gaps.cost_m3s += kStep_s * cubed(params.gap_wanted_m - gap_m);
+      gaps.cost += kStep_s * cubed(params.gap_wanted_m - gap_m);
     }
   }
   void reach(const Vec3& p, double time_s, Closing& closing) const {
@@ -43,7 +44,7 @@ struct Measuring {
       const double gap_m =
           least_gap_m(p, params.hull_radius_m, course.body, time_s, params.bounds());
       closing.least_m = std::min(closing.least_m, gap_m);
-      closing.cost_m3s += kReachWeight * kStep_s * cubed(params.reach_gap_m - gap_m);
+      closing.cost += kReachWeight * kStep_s * cubed(params.reach_gap_m - gap_m);
     }
   }
   // Whoever is ahead of a person goes on, whoever is behind stops: the better one counts.
@@ -57,7 +58,7 @@ struct Measuring {
     }
     const Closing& better = stopping.least_m >= going_on.least_m ? stopping : going_on;
     gaps.reach_m = better.least_m;
-    gaps.cost_m3s += better.cost_m3s;
+    gaps.cost += better.cost;
   }
 };
 
@@ -86,6 +87,8 @@ BodyGaps measure_gaps(const PlannedTrajectory& trajectory, double t_s, const Bod
                              trajectory.acceleration(begin_s)};
   if (moving.velocity.norm() > kStands_m_s)
     m.reach_both(trajectory, begin_s, make_stop_tail(moving, limits).piece);
+  // Passing through somebody quickly is not better than being near for longer.
+  m.gaps.cost += kLeastWeight * std::max(params.gap_min_m - m.gaps.least_m, 0.0);
   m.gaps.ok = m.gaps.least_m >= params.gap_min_m && m.gaps.reach_m >= params.reach_gap_m;
   return m.gaps;
 }

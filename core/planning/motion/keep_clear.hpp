@@ -58,8 +58,9 @@ struct BodyGaps {
   double least_m = 0.0;     // to expected places; infinite without bodies
   double least_at_s = 0.0;  // after the point from which it is measured
   double reach_m = 0.0;     // least gap that is possible while it stops, whatever bodies do
-  double cost_m3s = 0.0;    // ∫ (what is missing of the wanted gaps)³ dt: 0 is best
-  bool ok = true;           // the check's gaps are kept
+  double cost =
+      0.0;  // ∫ (what is missing of the wanted gaps)³ dt + 5 · what is missing of gap_min_m
+  bool ok = true;  // the check's gaps are kept
 };
 
 /// Measures a trajectory from t_s on; absolute time is trajectory.start_s + t. The expected gap

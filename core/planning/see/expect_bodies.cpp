@@ -12,6 +12,7 @@ namespace {
 constexpr double kTorsoShare = 0.674;  // the torso's centre is so high, in body heights
 constexpr double kTorsoSlack_m = 0.5;  // ground further from where it should be is not believed
 constexpr double kWidestDoubt_m = 0.3;
+constexpr double kVelocityStep_s = 0.05;
 constexpr double kStep_s = 0.25;  // the last places are beyond the end of any path: it stands there
 constexpr double kVehicleSpeed_m_s = 3.0;  // at which vehicle and body may close in, with their own
 
@@ -40,8 +41,9 @@ struct Person {
   double radius_m, height_m;
 };
 
-// The followed person on one believed path.
-MovingBody body_on(const PredictedPath& path, double stamp_s, const Person& person,
+// The followed person on one believed path, as of now: an old belief (of a lost target) says where
+// they are expected now, not that they may have run since then wherever they could.
+MovingBody body_on(const PredictedPath& path, double age_s, double now_s, const Person& person,
                    const GridMap* map) {
   MovingBody body;
   body.id = person.id;
@@ -49,17 +51,19 @@ MovingBody body_on(const PredictedPath& path, double stamp_s, const Person& pers
   body.height_m = person.height_m;
   body.followed = true;
   body.kind = BodyKind::kPerson;
-  body.stamp_s = stamp_s;
+  body.stamp_s = now_s;
   const auto place = [&](double time_s) {
     const Vec3 torso = position_on(path, time_s);
     return Vec3(torso.x(), torso.y(), foot_z(map, torso, person.height_m));
   };
-  body.position_enu_m = place(0.0);
-  body.velocity_enu_m_s = path.states.front().velocity_enu_m_s;
+  body.position_enu_m = place(age_s);
+  body.velocity_enu_m_s =
+      (position_on(path, age_s + kVelocityStep_s) - position_on(path, age_s)) / kVelocityStep_s;
   body.velocity_enu_m_s.z() = 0.0;
   body.step_s = kStep_s;
   body.place_count = MovingBody::kMaxPlaces;
-  for (int k = 0; k < body.place_count; ++k) body.places_enu_m[k] = place(kStep_s * (k + 1));
+  for (int k = 0; k < body.place_count; ++k)
+    body.places_enu_m[k] = place(age_s + kStep_s * (k + 1));
   return body;
 }
 
@@ -69,7 +73,9 @@ void add_followed(const PlanInput& input, const TargetBelief& belief, const Pers
     const PredictedPath& path = belief.paths[i];
     if (i > 0 && path.probability < params.course_probability_min) continue;
     const double horizon_s = i == 0 ? params.body_horizon_s : params.unlikely_horizon_s;
-    courses.add({body_on(path, belief.stamp_s, person, input.map), path.probability, horizon_s});
+    const double age_s = std::max(input.now_s - belief.stamp_s, 0.0);
+    courses.add(
+        {body_on(path, age_s, input.now_s, person, input.map), path.probability, horizon_s});
   }
 }
 

@@ -13,6 +13,16 @@ namespace {
 
 using Walk = std::function<Vec3(double)>;  // where the feet are at a time
 
+// How far somebody has walked who changes the speed at 3 m/s², as people do, from one to another.
+double walked_m(double t_s, double from_m_s, double to_m_s) {
+  constexpr double kAcceleration_m_s2 = 3.0;
+  if (t_s <= 0.0) return from_m_s * t_s;
+  const double change_s = std::abs(to_m_s - from_m_s) / kAcceleration_m_s2;
+  const double changing_s = std::min(t_s, change_s);
+  const double a = std::copysign(kAcceleration_m_s2, to_m_s - from_m_s);
+  return from_m_s * changing_s + 0.5 * a * changing_s * changing_s + to_m_s * (t_s - changing_s);
+}
+
 Vec3 velocity_of(const Walk& walk, double now_s) {
   return (walk(now_s) - walk(now_s - 1e-3)) / 1e-3;
 }
@@ -87,7 +97,7 @@ class HeadOn : public ::testing::TestWithParam<std::pair<double, double>> {};  /
 TEST_P(HeadOn, InADeadEndTheVehicleGetsOutOfThePersonsWay) {
   const auto [width_m, speed_m_s] = GetParam();
   const Walk walk = [speed_m_s](double t) {
-    return Vec3(std::max(4.0 - speed_m_s * std::max(t - 1.0, 0.0), -5.0), 0.0, 0.0);
+    return Vec3(std::max(4.0 - walked_m(t - 1.0, 0.0, speed_m_s), -5.0), 0.0, 0.0);
   };
   const Outcome out = fly(dead_end(width_m), {1.5, 0.0, 1.3}, walk, 9.0);
   EXPECT_GE(out.least_gap_m, speed_m_s <= 1.5 ? 0.5 : 0.3);
@@ -99,9 +109,7 @@ INSTANTIATE_TEST_SUITE_P(WidthsAndSpeeds, HeadOn,
                                            std::pair(3.0, 1.5), std::pair(2.0, 2.0)));
 
 TEST(PlanPeople, BacksOffBeforeSomebodyWhoTurnsBackInACorridor) {
-  const Walk walk = [](double t) {
-    return Vec3(t < 4.0 ? -3.0 + 1.5 * t : 3.0 - 1.5 * (t - 4.0), 0.0, 0.0);
-  };
+  const Walk walk = [](double t) { return Vec3(3.0 + walked_m(t - 4.0, 1.5, -1.5), 0.0, 0.0); };
   const Outcome out = fly(dead_end(1.6), {-5.0, 0.0, 1.3}, walk, 8.0);
   EXPECT_GE(out.least_gap_m, 0.5);
 }

@@ -41,7 +41,7 @@ class KeepClear : public ::testing::Test {
 TEST_F(KeepClear, WithoutBodiesEverythingIsClear) {
   const BodyGaps gaps = measure(straight({0, 0, 1.5}, {2, 0, 0}));
   EXPECT_TRUE(gaps.ok);
-  EXPECT_EQ(gaps.cost_m3s, 0.0);
+  EXPECT_EQ(gaps.cost, 0.0);
   EXPECT_TRUE(std::isinf(gaps.least_m));
 }
 
@@ -61,7 +61,7 @@ TEST_F(KeepClear, WhoHoversIsNotClearOfSomebodyWhoWalksAtIt) {
   courses_.count = 0;
   add({3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0});
   EXPECT_FALSE(measure(hover).ok);
-  EXPECT_GT(measure(hover).cost_m3s, measure(straight({0, 0, 1.2}, {-1, 0, 0})).cost_m3s);
+  EXPECT_GT(measure(hover).cost, measure(straight({0, 0, 1.2}, {-1, 0, 0})).cost);
 }
 
 TEST_F(KeepClear, HighAboveAHeadIsClear) {
