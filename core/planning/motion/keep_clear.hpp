@@ -13,11 +13,11 @@ namespace foretrack {
 /// A gap is the distance in space between the vehicle's ball and a body's upright cylinder.
 struct GapParams {
   double hull_radius_m = 0.25;          // of the vehicle's ball
-  double gap_min_m = 0.7;               // the check asks for so much
-  double gap_wanted_m = 1.2;            // search and optimiser try for so much
+  double gap_min_m = 0.5;               // the check asks for so much
+  double gap_wanted_m = 0.8;            // search and optimiser try for so much
   double reach_gap_m = 0.1;             // kept while stopping, whatever a body does
   double body_horizon_s = 3.0;          // expected places count so far ahead
-  double unlikely_horizon_s = 1.0;      // those of less likely courses
+  double unlikely_horizon_s = 0.0;      // those of less likely courses
   double course_probability_min = 0.1;  // less likely courses do not count
   double reaction_s = 0.1;              // until a stop can begin
   double retreat_s = 0.0;               // from the stop until it has left that place
