@@ -19,13 +19,18 @@ enum Mark : std::uint8_t { kUntouched, kPassed, kHit };
 // A cylinder about a moving body, in which returns are its own.
 struct BodyRoom {
   Vec3 foot_enu_m;
-  double radius_m, below_m, above_m;
+  double radius_m, height_m, margin_m;
   bool followed;
 
-  bool contains(const Vec3& p) const {
+  bool contains(const Vec3& p) const { return is_within(p, margin_m, -margin_m); }
+  /// In the body itself, above the ground that it stands on.
+  bool is_of_body(const Vec3& p) const { return is_within(p, 0.0, margin_m); }
+
+ private:
+  bool is_within(const Vec3& p, double beside_m, double above_foot_m) const {
     const Vec3 offset = p - foot_enu_m;
-    return offset.z() <= above_m && offset.z() >= -below_m &&
-           offset.head<2>().squaredNorm() <= radius_m * radius_m;
+    return offset.z() >= above_foot_m && offset.z() <= height_m + margin_m &&
+           offset.head<2>().norm() <= radius_m + beside_m;
   }
 };
 
@@ -49,9 +54,8 @@ BodyRooms rooms_of(std::span<const MovingBody> bodies, double stamp_s,
     const bool moves = body.velocity_enu_m_s.head<2>().norm() >= params.body_moves_m_s;
     if (body.kind == BodyKind::kUnknown && !moves) continue;
     if (all.count == MovingBodies::kCapacity) break;
-    all.rooms[all.count++] = {body.expected_at(stamp_s), body.radius_m + params.body_margin_m,
-                              params.body_margin_m, body.height_m + params.body_margin_m,
-                              body.followed};
+    all.rooms[all.count++] = {body.expected_at(stamp_s), body.radius_m, body.height_m,
+                              params.body_margin_m, body.followed};
   }
   return all;
 }
@@ -93,9 +97,13 @@ struct Scan {
     const Vec3i cell = state.map.index_of(point);
     if (!state.map.contains(cell)) return false;
     const BodyRoom* body = bodies.find(point);
-    if (body && body->followed) return false;
-    if (is_open(cell) && is_open_around(cell)) add_return(state.mover_columns, state.map, point);
-    if (body) return false;
+    if (!(body && body->followed) && is_open(cell) && is_open_around(cell))
+      add_return(state.mover_columns, state.map, point);
+    if (body) {
+      // Nothing else stands where the body is, whatever was taken for an obstacle before.
+      if (body->is_of_body(point)) mark(state.map.offset_of(cell), kPassed);
+      return false;
+    }
     mark(state.map.offset_of(cell), kHit);
     return true;
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/planning/attempts.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include "core/planning/motion/stop_tail.hpp"
 
 namespace foretrack {
@@ -12,7 +9,6 @@ namespace {
 constexpr double kRetrySlowdown = 1.4;  // of the first guess's times in the second attempt
 constexpr double kFirm = 10.0;          // of the hard limits' weights from the second attempt on
 constexpr double kSoft = 50.0;          // by which sight and distance weigh less in the third
-constexpr double kDistanceStep_s = 0.1;
 
 OptimizerParams firmer(OptimizerParams p) {
   p.corridor_weight *= kFirm;
@@ -42,14 +38,6 @@ void append_tail(PlannedTrajectory& trajectory, const FlightLimits& limits) {
   trajectory.pieces.push_back(make_stop_tail(end, limits).piece);
 }
 
-void aim(PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {
-  const double lost_s = task.input.now_s - s.lost_since_s;
-  if (task.lost && lost_s > task.params.view.search_look_s)
-    sweep_camera(task.start, s.search_turn, task.params, s.aim, trajectory);
-  else
-    aim_camera(task.start, s.expected, task.params, s.aim, trajectory);
-}
-
 PlanReason attempt(PlanningState& s, const PlanTask& task, const std::optional<QuinticPiece>& first,
                    const OptimizerParams& optimizer, StageClock& clock) {
   auto& [trajectory, diagnostics] = s.next_result();
@@ -70,27 +58,6 @@ PlanReason attempt(PlanningState& s, const PlanTask& task, const std::optional<Q
   return reason;
 }
 
-double least_target_distance_m(const PlannedTrajectory& trajectory, double from_s,
-                               const ExpectedPath& path, const HorizonParams& horizon) {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (double t_s = 0.0; t_s <= horizon.horizon_s; t_s += kDistanceStep_s)
-    least_m = std::min(least_m, distance_xy(trajectory.position(from_s + t_s), path.position(t_s)));
-  return least_m;
-}
-
-// The target comes too near whatever is planned: rather away from it than on as before.
-bool retreats(PlanningState& s, const PlanTask& task) {
-  const CheckInputs inputs{*task.input.map, task.start.state, task.start.yaw};
-  const PlannedTrajectory &candidate = s.next_result().trajectory,
-                          &flown = s.flown_result().trajectory;
-  if (!check_trajectory(candidate, inputs, task.limits, task.params.check).ok()) return false;
-  if (!task.start.on_flown) return true;
-  const ExpectedPath& path = s.expected.paths[0];
-  return least_target_distance_m(candidate, 0.0, path, task.params.horizon) >
-         least_target_distance_m(flown, task.start.time_s - flown.start_s, path,
-                                 task.params.horizon);
-}
-
 }  // namespace
 
 PlanReason attempt_all(PlanningState& s, const PlanTask& task,
@@ -100,21 +67,32 @@ PlanReason attempt_all(PlanningState& s, const PlanTask& task,
   if (reason == PlanReason::kOk) return reason;
   make_careful(s.problem);
   for (const OptimizerParams& careful : {firmer(normal), softer(firmer(normal))}) {
-    const PlanReason again = attempt(s, task, first, careful, clock);
-    if (again == PlanReason::kOk) return again;
-    if (again == PlanReason::kTooNearTarget && retreats(s, task)) return PlanReason::kOk;
+    if (attempt(s, task, first, careful, clock) == PlanReason::kOk) return PlanReason::kOk;
   }
   return reason;
 }
 
+void aim(PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {
+  const double lost_s = task.input.now_s - s.lost_since_s;
+  if (s.expected.count == 0)
+    hold_camera(task.start, task.params, s.aim, trajectory);
+  else if (task.lost && lost_s > task.params.view.search_look_s)
+    sweep_camera(task.start, s.search_turn, task.params, s.aim, trajectory);
+  else
+    aim_camera(task.start, s.expected, task.params, s.aim, trajectory);
+}
+
 PlanReason check_candidate(PlanningState& s, const PlanTask& task) {
   auto& [trajectory, diagnostics] = s.next_result();
-  trajectory.start_s = task.start.time_s;
-  CheckInputs inputs{*task.input.map, task.start.state, task.start.yaw};
-  if (!task.lost && s.belief.count > 0) inputs.target_path = &s.belief.paths[0];
-  inputs.target_stamp_s = s.belief.stamp_s;
-  diagnostics.check = check_trajectory(trajectory, inputs, task.limits, task.params.check);
+  diagnostics.check = check(s, task, trajectory);
   return diagnostics.check.reason;
+}
+
+CheckResult check(const PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {
+  trajectory.start_s = task.start.time_s;
+  const CheckInputs inputs{*task.input.map, task.start.state, task.start.yaw, &s.courses,
+                           &task.params.body};
+  return check_trajectory(trajectory, inputs, task.limits, task.params.check);
 }
 
 }  // namespace foretrack

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/planning/fall_back.hpp"
 
+#include <limits>
+#include <utility>
+
 #include "core/planning/attempts.hpp"
+#include "core/planning/evade.hpp"
 #include "core/planning/motion/clear_rest.hpp"
 #include "core/planning/motion/stop_tail.hpp"
 #include "core/planning/publish_plan.hpp"
@@ -10,6 +14,8 @@ namespace foretrack {
 namespace {
 
 constexpr double kStands_m_s = 0.02;
+constexpr double kBetter = 0.8;  // of a cost: what is flown is not left for little
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Half a cell less than a new trajectory needs: where the map has not changed, what passed the
 // check must not be braked for because it is looked at from other points.
@@ -28,6 +34,38 @@ const PlanResult& keep(PlanningState& s, double t_s, PlanReason reason, const St
   return s.flown_result();
 }
 
+// Of the rest of what is flown; none if it is not clear in this map any more.
+std::optional<BodyGaps> gaps_of_rest(const PlanningState& s, const PlanTask& task,
+                                     const PlannedTrajectory& flown, double t_s) {
+  if (!task.start.on_flown) return {};
+  if (!rest_is_clear(*task.input.map, flown, t_s, kept_clearance_m(task))) return {};
+  return measure_gaps(flown, t_s, s.courses, task.limits, task.params.body);
+}
+
+// The next candidate is not on the searched way: there is nothing of it to be
+// drawn.
+void forget_way(PlanningState& s) {
+  s.ahead.views[0].clear();
+  resize_polytopes(s.corridor, s.problem.corridor, 0);
+}
+
+const PlanResult& brake(PlanningState& s, const PlanTask& task, PlanReason reason,
+                        StageClock& clock) {
+  try_stop(s, task, clock);
+  publish(s, task, 0.0, clock);
+  PlannedTrajectory& braking = s.flown_result().trajectory;
+  braking.status = PlanStatus::kHold;
+  braking.reason = reason;
+  return s.flown_result();
+}
+
+// Whether the shortest stop is clear of everybody who moves. Works in state.evading.
+bool stop_keeps_gaps(PlanningState& s, const PlanTask& task) {
+  s.evading.start_s = task.start.time_s;
+  s.evading.pieces.assign(1, make_stop_tail(task.start.state, task.limits).piece);
+  return measure_gaps(s.evading, 0.0, s.courses, task.limits, task.params.body).ok;
+}
+
 }  // namespace
 
 PlanReason try_stop(PlanningState& s, const PlanTask& task, StageClock& clock) {
@@ -35,8 +73,7 @@ PlanReason try_stop(PlanningState& s, const PlanTask& task, StageClock& clock) {
   trajectory.pieces.assign(1, make_stop_tail(task.start.state, task.limits).piece);
   trajectory.tail_start_s = 0.0;
   hold_camera(task.start, task.params, s.aim, trajectory);
-  s.ahead.views[0].clear();
-  resize_polytopes(s.corridor, s.problem.corridor, 0);
+  forget_way(s);
   const PlanReason reason = check_candidate(s, task);
   clock.lap(PlanStage::kCheck);
   return reason;
@@ -46,14 +83,30 @@ const PlanResult& fall_back(PlanningState& s, const PlanTask& task, PlanReason r
                             StageClock& clock) {
   const PlannedTrajectory& flown = s.flown_result().trajectory;
   const double t_s = task.start.time_s - flown.start_s;
-  if (task.start.on_flown && rest_is_clear(*task.input.map, flown, t_s, kept_clearance_m(task)))
-    return keep(s, t_s, reason, clock);
-  try_stop(s, task, clock);
-  publish(s, task, 0.0, clock);
-  PlanResult& braking = s.flown_result();
-  braking.trajectory.status = PlanStatus::kHold;
-  braking.trajectory.reason = reason;
-  return braking;
+  const std::optional<BodyGaps> kept = gaps_of_rest(s, task, flown, t_s);
+  if (kept && kept->ok) return keep(s, t_s, reason, clock);
+  if (!kept && stop_keeps_gaps(s, task)) return brake(s, task, reason, clock);
+
+  // Somebody comes too near: the best that is possible.
+  double cost_to_beat = kept ? kBetter * kept->cost : kInfinity;
+  const CheckResult& candidate = s.next_result().diagnostics.check;
+  const bool only_too_near = candidate.reason == PlanReason::kTooNearTarget;
+  const bool takes_candidate = only_too_near && candidate.gaps.cost < cost_to_beat;
+  if (takes_candidate) cost_to_beat = kBetter * candidate.gaps.cost;
+  const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat);
+  clock.lap(PlanStage::kCheck);
+  if (evasion) {
+    std::swap(s.next_result().trajectory, s.evading);
+    s.next_result().diagnostics.check = *evasion;
+    forget_way(s);
+  }
+  if (evasion || takes_candidate) {
+    publish(s, task, 0.0, clock);
+    s.flown_result().trajectory.reason = reason;
+    return s.flown_result();
+  }
+  if (kept) return keep(s, t_s, reason, clock);
+  return brake(s, task, reason, clock);
 }
 
 const PlanResult& refuse(PlanningState& s) {

@@ -11,8 +11,13 @@ namespace foretrack {
 /// checks it.
 PlanReason try_stop(PlanningState& state, const PlanTask& task, StageClock& clock);
 
-/// The flown trajectory and its stop tail fly on (kKept, kHold once it stands) if they are still
-/// clear in this map; else the vehicle brakes (kHold), whatever the check says of that.
+/// The best that is possible without a new way. The flown trajectory and its stop tail fly on
+/// (kKept, kHold once it stands) if they are still clear in this map and of everybody who moves.
+/// Where somebody comes too near, or nothing is clear any more, the least gap cost decides between
+/// what is flown, the candidate that failed by its gaps alone, and the evasions (the latter two:
+/// kFresh or kSearch with the reason). If none of them is clear of the map, or
+/// nothing that was flown is clear and nobody is near, the vehicle brakes
+/// (kHold), whatever the check says of that.
 const PlanResult& fall_back(PlanningState& state, const PlanTask& task, PlanReason reason,
                             StageClock& clock);
 

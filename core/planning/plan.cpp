@@ -8,6 +8,7 @@
 #include "core/planning/follow_target.hpp"
 #include "core/planning/motion/stop_tail.hpp"
 #include "core/planning/publish_plan.hpp"
+#include "core/planning/see/expect_bodies.hpp"
 
 namespace foretrack {
 namespace {
@@ -41,10 +42,13 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
       input.now_s - input.vehicle.stamp_s <= params.horizon.vehicle_stale_s;
   if (!is_finite(input) || input.map == nullptr || !knows_where_it_is) return refuse(state);
 
-  // Where the trajectory begins, whom it follows, how fast it may be.
+  // Where the trajectory begins, whom it follows, who else moves, how fast it
+  // may be.
   const PlanStart start =
       choose_start(state.flown_result().trajectory, input.vehicle, input.now_s, params);
   const PlanReason expected = expect_target(state, input, params.horizon);
+  expect_bodies(input, expected == PlanReason::kOk ? &state.belief : nullptr, params.body,
+                state.courses);
   const bool searches = state.lost() && expected == PlanReason::kOk;
   const bool slows_down = searches && is_too_fast(start, params);
   const PlanTask task{input, params,

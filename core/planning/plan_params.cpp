@@ -110,6 +110,7 @@ ParamRows rows(PlanningParams& p) {
   append(all, rows(p.limits));
   append(all, rows(p.optimizer));
   append(all, rows(p.check));
+  append(all, rows(p.body));
   return all;
 }
 

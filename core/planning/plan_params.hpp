@@ -7,6 +7,7 @@
 #include "core/common/params.hpp"
 #include "core/planning/motion/check_trajectory.hpp"
 #include "core/planning/motion/flight_limits.hpp"
+#include "core/planning/motion/keep_clear.hpp"
 #include "core/planning/optimize/optimize_trajectory.hpp"
 
 namespace foretrack {
@@ -83,6 +84,7 @@ struct PlanningParams {
   FlightLimits limits;
   OptimizerParams optimizer;
   CheckParams check;
+  GapParams body;
 
   double distance_wanted_m() const { return 0.5 * (place.kept_low_m() + place.kept_high_m()); }
   double path_clearance_m() const { return check.vehicle_radius_m + place.search_clearance_m; }

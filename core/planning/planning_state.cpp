@@ -7,6 +7,7 @@ namespace {
 constexpr std::size_t kPathPoints = 2048;    // of the searched way
 constexpr std::size_t kBlockedCells = 8192;  // around one segment
 constexpr std::size_t kAngleNodes = 512;
+constexpr std::size_t kBodySamples = 1024;
 constexpr std::size_t kSteps = 128;  // of the prediction
 
 }  // namespace
@@ -22,15 +23,17 @@ void reserve(PlanningState& s) {
   s.problem.inner_waypoints.reserve(kMaxPieces);
   s.problem.durations_s.reserve(kMaxPieces);
   s.problem.samples.reserve(kMaxIntentions * kSteps);
+  s.problem.bodies.reserve(kBodySamples);
   s.aim.yaws_rad.reserve(kAngleNodes);
   s.aim.pitches_rad.reserve(kAngleNodes);
   s.aim.angles.stages.reserve(kAngleNodes);
-  for (PlanResult& result : s.results) {
-    result.trajectory.pieces.reserve(kMaxPieces + 2);  // with a stop before and one after
-    result.trajectory.yaw.nodes.reserve(kAngleNodes);
-    result.trajectory.gimbal_pitch.nodes.reserve(kAngleNodes);
-    result.trajectory.visible_regions.reserve(kSteps);
-    result.trajectory.corridor.reserve(kMaxPieces);
+  for (PlannedTrajectory* trajectory :
+       {&s.results[0].trajectory, &s.results[1].trajectory, &s.evading}) {
+    trajectory->pieces.reserve(kMaxPieces + 2);  // with a stop before and one after
+    trajectory->yaw.nodes.reserve(kAngleNodes);
+    trajectory->gimbal_pitch.nodes.reserve(kAngleNodes);
+    trajectory->visible_regions.reserve(kSteps);
+    trajectory->corridor.reserve(kMaxPieces);
   }
   // All polytopes that a problem and two results can hold.
   std::vector<Polytope> all;

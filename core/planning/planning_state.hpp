@@ -52,6 +52,7 @@ struct PlanningState {
   // Results of the steps of one plan, kept for their memory.
   bool reserved = false;  // the memory that later plans need is there
   ExpectedTarget expected;
+  BodyCourses courses;
   LookAhead ahead;
   FlightPathWorkspace path_workspace;
   FlightPath path;
@@ -59,6 +60,8 @@ struct PlanningState {
   OptimizationProblem problem;
   OptimizerState optimizer;
   AimWorkspace aim;
+  PlannedTrajectory evading;  // the best evasion, until it is taken
+  int level_tried = 0;        // of the levels beside the wanted one
 };
 
 /// Takes the memory that plans need, so that later plans take none. The first plan() does it.

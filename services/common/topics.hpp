@@ -82,6 +82,16 @@ struct ServiceHealth {
   static constexpr TopicInfo info{"health", Scope::kVehicle, "state"};
 };
 
+// who and what moves around the vehicle
+struct BodySightings {
+  using Type = foretrack_msgs::msg::BodySightings;
+  static constexpr TopicInfo info{"bodies/sightings", Scope::kVehicle, "sensor"};
+};
+struct MovingBodies {
+  using Type = foretrack_msgs::msg::MovingBodies;
+  static constexpr TopicInfo info{"bodies", Scope::kVehicle, "state"};
+};
+
 // the same for ROS 2's own tools
 struct PredictionPath {
   using Type = nav_msgs::msg::Path;
@@ -169,10 +179,10 @@ using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorCameraInfo,
                Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
                TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
-               PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
-               TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
-               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4FailsafeFlags,
-               Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4OffboardControlMode,
-               Px4TrajectorySetpoint, Px4VehicleCommand>;
+               BodySightings, MovingBodies, PredictionPath, PlanPath, Markers, Transforms,
+               StaticTransforms, Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry,
+               Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
+               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
+               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

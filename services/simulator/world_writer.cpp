@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/simulator/world_writer.hpp"
 
+#include "services/convert/bodies.hpp"
 #include "services/convert/geometry.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
@@ -49,7 +50,10 @@ WorldWriter::WorldWriter(Node& node, const Scenario& scenario, const World& worl
       transforms_(node),
       mount_(node),
       map_(node) {
-  if (!scenario.color_images) observation_.emplace(node);
+  if (!scenario.color_images) {
+    observation_.emplace(node);
+    sightings_.emplace(node);
+  }
   to_transform(scenario.depth_camera.camera.T_body_camera, 0.0, mount_.sample());
   mount_.write();
   if (scenario.map != MapSource::kKnown) return;
@@ -107,6 +111,10 @@ void WorldWriter::publish_cameras(const SimulatorOutput& out) {
   if (out.observation) {
     to_idl(*out.observation, observation_->sample());
     observation_->write();
+  }
+  if (out.sightings && sightings_) {
+    to_idl(*out.sightings, sightings_->sample());
+    sightings_->write();
   }
   if (out.color) {
     to_idl(out.color->camera, out.color->stamp_s, color_info_.sample());

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/simulator/simulate.hpp"
+#include "foretrack_msgs/msg/BodySightings.h"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "nav_msgs/msg/Odometry.h"
@@ -48,6 +49,7 @@ class WorldWriter {
   Writer<topics::Px4FailsafeFlags> px4_flags_;
   Writer<topics::Px4ManualControlSetpoint> px4_sticks_;
   std::optional<Writer<topics::TargetObservation>> observation_;  // not beside images
+  std::optional<Writer<topics::BodySightings>> sightings_;        // the same
   Writer<topics::DepthImage> depth_;
   Writer<topics::DepthCameraInfo> camera_info_;
   Writer<topics::ColorImage> color_;

@@ -3,16 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "core/planning/motion/polynomial.hpp"
 
 namespace foretrack {
 namespace {
-
-constexpr double kTargetStep_s = 0.02;
-constexpr double kRetreatBraking = 0.3;  // of the acceleration limit, that a retreat can count on
 
 struct Checker {
   const PlannedTrajectory& trajectory;
@@ -33,7 +29,7 @@ struct Checker {
   void check_yaw();
   void check_limits();
   void check_clearance();
-  void check_target_distance();
+  void check_gaps();
   double time_to_move(double distance_m, double t) const;
 
  private:
@@ -159,33 +155,10 @@ void Checker::check_clearance() {
   }
 }
 
-/// The least allowed distance is the floor, or while the start is left what the start's distance
-/// and closing speed leave unavoidable.
-void Checker::check_target_distance() {
-  result.min_target_distance_m = std::numeric_limits<double>::infinity();
-  const PredictedPath* path = inputs.target_path;
-  const double floor_m = params.target_distance_min_m;
-  if (!path || path->states.empty() || floor_m <= 0.0) return;
-  const double offset_s = trajectory.start_s - inputs.target_stamp_s;
-  const double end_s = std::clamp(path->states.back().time_s - offset_s, 0.0, duration_s);
-  const auto distance_at = [&](double t) {
-    return distance_xy(trajectory.position(t), path->at(t + offset_s).position_enu_m);
-  };
-  const double start_m = distance_at(0.0);
-  const double closing_m_s = std::max((start_m - distance_at(kTargetStep_s)) / kTargetStep_s, 0.0);
-  const double braking_m_s2 = kRetreatBraking * limits.acceleration_max_m_s2;
-  const double unavoidable_m = start_m - 0.5 * closing_m_s * closing_m_s / braking_m_s2;
-  bool leaving = unavoidable_m < floor_m;
-  double before_m = start_m;
-  const int steps = static_cast<int>(std::ceil(end_s / kTargetStep_s));
-  for (int i = 0; i <= steps; ++i) {
-    const double t = std::min(i * kTargetStep_s, end_s), distance_m = distance_at(t);
-    result.min_target_distance_m = std::min(result.min_target_distance_m, distance_m);
-    leaving = leaving && (distance_m < floor_m || distance_m < before_m || i == 0);
-    const double least_m = leaving ? unavoidable_m - params.position_tolerance_m : floor_m;
-    if (distance_m < least_m) fault(PlanReason::kTooNearTarget, t);
-    before_m = distance_m;
-  }
+void Checker::check_gaps() {
+  if (inputs.courses == nullptr || inputs.body == nullptr) return;
+  result.gaps = measure_gaps(trajectory, 0.0, *inputs.courses, limits, *inputs.body);
+  if (!result.gaps.ok) fault(PlanReason::kTooNearTarget, result.gaps.least_at_s);
 }
 
 }  // namespace
@@ -203,7 +176,7 @@ CheckResult check_trajectory(const PlannedTrajectory& trajectory, const CheckInp
   checker.check_yaw();
   checker.check_limits();
   checker.check_clearance();
-  checker.check_target_distance();
+  checker.check_gaps();
   return checker.result;
 }
 
@@ -213,8 +186,6 @@ ParamRows rows(CheckParams& p) {
        "least distance to occupied or unknown space"},
       {"escape_reach_m", &p.escape_reach_m, "m", 0.0, 5.0,
        "how far from a start too near to obstacles the way may stay too near"},
-      {"target_distance_min_m", &p.target_distance_min_m, "m", 0.0, 10.0,
-       "least horizontal distance to the predicted target; 0: not checked"},
       {"position_tolerance_m", &p.position_tolerance_m, "m", 0.0, 1.0, "at joints"},
       {"velocity_tolerance_m_s", &p.velocity_tolerance_m_s, "m/s", 0.0, 1.0, "at joints"},
       {"acceleration_tolerance_m_s2", &p.acceleration_tolerance_m_s2, "m/s2", 0.0, 5.0,

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "core/common/grid_map.hpp"
-#include "core/common/prediction.hpp"
-#include "core/planning/motion/flight_limits.hpp"
+#include "core/planning/motion/keep_clear.hpp"
 
 namespace foretrack {
 
@@ -12,7 +11,6 @@ namespace foretrack {
 struct CheckParams {
   double vehicle_radius_m = 0.35;
   double escape_reach_m = 1.0;
-  double target_distance_min_m = 0.8;
   double position_tolerance_m = 0.02;
   double velocity_tolerance_m_s = 0.05;
   double acceleration_tolerance_m_s2 = 0.2;
@@ -26,10 +24,10 @@ ParamRows rows(CheckParams& params);
 /// What a trajectory is checked against.
 struct CheckInputs {
   const GridMap& map;
-  BoundaryState flown;                         // what is flown at the trajectory's start_s
-  AngleNode flown_yaw;                         // the same, of yaw
-  const PredictedPath* target_path = nullptr;  // the most likely one; none: not checked
-  double target_stamp_s = 0.0;                 // absolute time of the path's time 0
+  BoundaryState flown;                   // what is flown at the trajectory's start_s
+  AngleNode flown_yaw;                   // the same, of yaw
+  const BodyCourses* courses = nullptr;  // everybody who moves; null: not checked
+  const GapParams* body = nullptr;       // with them
 };
 
 /// The first fault that was found, if there is one, and where.
@@ -38,8 +36,8 @@ struct CheckResult {
   double failed_at_s = 0.0;  // t of the first fault found, after the trajectory's start
   double max_speed_m_s = 0.0;
   double max_acceleration_m_s2 = 0.0;
-  double min_clearance_m = 0.0;        // the least seen, centimetre steps as in the map
-  double min_target_distance_m = 0.0;  // horizontal; infinite when not checked
+  double min_clearance_m = 0.0;  // the least seen, centimetre steps as in the map
+  BodyGaps gaps;                 // to everybody who moves
   bool ok() const { return reason == PlanReason::kOk; }
 };
 
@@ -47,12 +45,11 @@ struct CheckResult {
 /// (kDiscontinuous); speed and acceleration by the roots of their squares' derivatives and the yaw
 /// plan's rate and acceleration, exact for piecewise constant acceleration (kLimitsViolated);
 /// distance to what is not free, at points a quarter of a cell apart or as far as their clearance
-/// proves (kClearanceViolated, or kTailUnsafe from tail_start_s on); distance to the predicted
-/// target (kTooNearTarget). A start nearer to obstacles than allowed is accepted as long as the
-/// clearance does not fall below the start's before they are left, within escape_reach_m; an
-/// occupied cell is never accepted to enter. A start nearer to the target than allowed, or closing
-/// in on it, is accepted as long as the distance does not fall below what braking cannot avoid.
-/// Throws std::invalid_argument for a trajectory without pieces. Allocates nothing.
+/// proves (kClearanceViolated, or kTailUnsafe from tail_start_s on); the gaps to everybody who
+/// moves, on a fixed time step, by measure_gaps() (kTooNearTarget, whoever it is). A start nearer
+/// to obstacles than allowed is accepted as long as the clearance does not fall below the start's
+/// before they are left, within escape_reach_m; an occupied cell is never accepted to enter. Throws
+/// std::invalid_argument for a trajectory without pieces. Allocates nothing.
 CheckResult check_trajectory(const PlannedTrajectory& trajectory, const CheckInputs& inputs,
                              const FlightLimits& limits, const CheckParams& params);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "core/planning/way/map_rays.hpp"
 
@@ -12,6 +14,8 @@ namespace {
 constexpr double kHiddenCost = 1.0;      // m², of not seeing the end of a path
 constexpr double kGoalShiftCost = 0.05;  // of a squared metre away from the path's end
 constexpr double kGoalStep_m = 0.25;
+constexpr double kBodyStep_s = 0.1;
+constexpr double kBodyReach_m = 1.2;  // of a trajectory from its searched way
 constexpr int kGoalSteps = 4;
 constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
 constexpr double kBrakingShare = 0.5;    // of the greatest acceleration, for the room to stop
@@ -72,6 +76,18 @@ Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& t
   return Vec3::Zero();
 }
 
+// Horizontal, from the path's polyline.
+double distance_m(const FlightPath& path, const Vec3& p) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
+    const Vec2 a = path.vertices[i].head<2>(), span = path.vertices[i + 1].head<2>() - a;
+    const Vec2 offset = p.head<2>() - a;
+    const double along = span.squaredNorm() > 0.0 ? offset.dot(span) / span.squaredNorm() : 0.0;
+    least_m = std::min(least_m, (offset - std::clamp(along, 0.0, 1.0) * span).norm());
+  }
+  return least_m;
+}
+
 }  // namespace
 
 bool build_corridor(const SearchContext& context, const FlightPath& path,
@@ -97,6 +113,27 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
     clear &= decompose_segment(context.map, from, to, params, workspace, corridor[i]);
   }
   return clear;
+}
+
+void add_bodies(const SearchContext& context, const FlightPath& path,
+                OptimizationProblem& problem) {
+  const GapParams& body = context.params.body;
+  problem.hull_radius_m = body.hull_radius_m;
+  problem.gap_wanted_m = body.gap_wanted_m;
+  problem.bodies.clear();
+  if (context.courses == nullptr) return;
+  for (int i = 1; i * kBodyStep_s <= problem.min_total_duration_s; ++i) {
+    const double t_s = i * kBodyStep_s;
+    for (const BodyCourse& course : context.courses->all()) {
+      if (t_s > course.horizon_s || problem.bodies.size() == problem.bodies.capacity()) continue;
+      const Vec3 foot = course.body.expected_at(context.start_s + t_s);
+      if (distance_m(path, foot) > body.gap_wanted_m + course.body.radius_m + kBodyReach_m)
+        continue;
+      const double discount = std::exp(-context.params.horizon.later_discount_per_s * t_s);
+      problem.bodies.push_back(
+          {t_s, course.probability * discount, {foot, course.body.radius_m, course.body.height_m}});
+    }
+  }
 }
 
 void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,

@@ -22,4 +22,9 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
 void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,
                       const ExpectedTarget& target, OptimizationProblem& problem);
 
+/// The places of everybody who moves that the way may come near to, as samples:
+/// 0.1 s apart over each course's horizon, and over as long as the problem
+/// lasts. Needs the guess.
+void add_bodies(const SearchContext& context, const FlightPath& path, OptimizationProblem& problem);
+
 }  // namespace foretrack

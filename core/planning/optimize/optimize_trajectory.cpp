@@ -30,6 +30,11 @@ bool finite(const TargetSample& s) {
                        s.distance_high_m);
 }
 
+bool finite(const BodySample& s) {
+  return s.pillar.foot.allFinite() &&
+         std::isfinite(s.time_s + s.weight + s.pillar.radius_m + s.pillar.height_m);
+}
+
 void validate(const OptimizationProblem& problem) {
   const std::size_t pieces = problem.durations_s.size();
   if (pieces < 2 || pieces > kMaxPieces)
@@ -48,6 +53,9 @@ void validate(const OptimizationProblem& problem) {
   for (const TargetSample& sample : problem.samples)
     if (!finite(sample) || sample.time_s < 0.0 || sample.time_s > problem.min_total_duration_s)
       reject("a sample is not finite or not within min_total_duration_s");
+  for (const BodySample& body : problem.bodies)
+    if (!finite(body) || body.time_s < 0.0 || body.time_s > problem.min_total_duration_s)
+      reject("a body is not finite or not within min_total_duration_s");
 }
 
 OptimizationStatus status_of(LbfgsStatus status) {
@@ -128,6 +136,8 @@ ParamRows rows(OptimizerParams& p) {
        "of being outside the next visible region"},
       {"distance_weight", &p.distance_weight, "1/m3", 0.0, 1e9, "of leaving the distance band"},
       {"height_weight", &p.height_weight, "1/m3", 0.0, 1e9, "of leaving the height band"},
+      {"gap_weight", &p.gap_weight, "1/m3", 0.0, 1e9,
+       "of coming nearer than gap_wanted_m to somebody who moves"},
       {"limit_fraction", &p.limit_fraction, "", 0.1, 1.0,
        "where the speed and acceleration penalties begin, of the limits"},
       {"corridor_margin_m", &p.corridor_margin_m, "m", 0.0, 1.0,

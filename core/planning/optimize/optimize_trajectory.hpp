@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/planning/motion/flight_limits.hpp"
-#include "core/planning/optimize/minco.hpp"
+#include "core/planning/optimize/penalties.hpp"
 
 namespace foretrack {
 
@@ -30,6 +30,13 @@ struct TargetSample {
   double distance_high_m = 2.5;  // d_u
 };
 
+/// Somebody who moves, expected at one place at one time.
+struct BodySample {
+  double time_s = 0.0;  // after the trajectory's start
+  double weight = 1.0;  // probability of the course × discount with time
+  Pillar pillar;
+};
+
 /// What a trajectory is to satisfy: its ends, its corridor, the target's samples.
 struct OptimizationProblem {
   BoundaryState start;
@@ -38,6 +45,9 @@ struct OptimizationProblem {
   std::vector<Vec3> inner_waypoints;  // first guess, K · M_F − 1
   std::vector<double> durations_s;    // first guess, K · M_F
   std::vector<TargetSample> samples;
+  std::vector<BodySample> bodies;      // in the order of their times
+  double hull_radius_m = 0.25;         // of the vehicle's ball
+  double gap_wanted_m = 0.9;           // to each body
   double min_total_duration_s = 3.0;   // at least the prediction horizon
   double height_above_target_m = 0.5;  // desired, of the vehicle above z_k
   double height_band_m = 0.3;          // deviation that costs nothing
@@ -54,6 +64,7 @@ struct OptimizerParams {
   double next_visibility_weight = 2.0e5;
   double distance_weight = 1.0e5;
   double height_weight = 1.0e3;
+  double gap_weight = 4.0e5;
   double limit_fraction = 0.93;
   double corridor_margin_m = 0.03;
   double relative_decrease = 3.0e-4;

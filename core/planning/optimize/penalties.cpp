@@ -213,6 +213,27 @@ void add_height_band(const Vec3& p, double height_m, double band_m, double weigh
   sum.gradient.z() += weight * std::copysign(hinge.slope, above);
 }
 
+void add_gap(const Vec3& p, double ball_radius_m, const Pillar& pillar, double wanted_m,
+             double weight, PointPenalty& sum) {
+  const Vec3 d = p - pillar.foot;
+  const double from_axis_m = std::sqrt(d.head<2>().squaredNorm() + kDistanceFloor_m2);
+  const double beside_m = from_axis_m - pillar.radius_m;
+  const double middle_m = d.z() - 0.5 * pillar.height_m;
+  const double above_m = std::abs(middle_m) - 0.5 * pillar.height_m;
+  const double distance_m =
+      beside_m > 0.0 && above_m > 0.0 ? std::hypot(beside_m, above_m) : std::max(beside_m, above_m);
+  const Hinge hinge = cubed_hinge(wanted_m + ball_radius_m - distance_m);
+  if (hinge.slope == 0.0) return;
+  // ∂ distance / ∂ (beside, above): beyond an edge both count, else the greater
+  // one alone.
+  const bool edge = beside_m > 0.0 && above_m > 0.0;
+  const double by_beside = edge ? beside_m / distance_m : beside_m >= above_m ? 1.0 : 0.0;
+  const double by_above = edge ? above_m / distance_m : beside_m >= above_m ? 0.0 : 1.0;
+  sum.value += weight * hinge.value;
+  sum.gradient.head<2>() -= (weight * hinge.slope * by_beside / from_axis_m) * d.head<2>();
+  sum.gradient.z() -= weight * hinge.slope * by_above * std::copysign(1.0, middle_m);
+}
+
 double add_piece_penalties(const Minco& minco, int piece, const Polytope& polytope,
                            const PieceWeights& weights, MincoGradient& gradient) {
   const double t = minco.durations_s[piece], rate = 1.0 / t;

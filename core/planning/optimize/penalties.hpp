@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The penalties of the optimisation (paper §V.C), each with its analytic gradient. A constraint
-// G ≤ 0 costs weight · max(G, 0)³.
+// The penalties of the optimisation (paper §V.C), each with its analytic gradient. A constraint G ≤
+// 0 costs weight · max(G, 0)³.
 #pragma once
 
 #include "core/planning/optimize/minco.hpp"
@@ -49,6 +49,16 @@ void add_distance_band(const Vec3& p, const Vec3& target, double low_m, double h
 /// |p_z − height| − band, linear from kFarReach_m on.
 void add_height_band(const Vec3& p, double height_m, double band_m, double weight,
                      PointPenalty& sum);
+
+/// An upright cylinder that stands on `foot`: somebody's body.
+struct Pillar {
+  Vec3 foot = Vec3::Zero();
+  double radius_m = 0.25;
+  double height_m = 1.75;
+};
+/// G = wanted gap − the gap in space between the vehicle's ball around p and the cylinder.
+void add_gap(const Vec3& p, double ball_radius_m, const Pillar& pillar, double wanted_m,
+             double weight, PointPenalty& sum);
 
 /// What a whole piece is penalised for; limits are those at which the penalties begin.
 struct PieceWeights {

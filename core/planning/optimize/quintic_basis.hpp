@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/common/geometry.hpp"
+#include "core/planning/motion/flight_limits.hpp"
 
 namespace foretrack {
 
@@ -34,6 +34,22 @@ constexpr HermiteRow hermite(double alpha, int order) {
     row[r] = value;
   }
   return row;
+}
+
+/// The least-jerk motion between two states in a given duration.
+inline QuinticPiece quintic_between(const BoundaryState& from, const BoundaryState& to,
+                                    double duration_s) {
+  const double t = duration_s;
+  ScaledEnds ends;
+  ends << from.position.transpose(), t * from.velocity.transpose(),
+      t * t * from.acceleration.transpose(), to.position.transpose(), t * to.velocity.transpose(),
+      t * t * to.acceleration.transpose();
+  QuinticPiece piece;
+  piece.duration_s = duration_s;
+  double power = 1.0;
+  for (int j = 0; j < 6; ++j, power /= t)
+    for (int r = 0; r < 6; ++r) piece.coefficients.row(j) += power * kHermite[r][j] * ends.row(r);
+  return piece;
 }
 
 }  // namespace foretrack

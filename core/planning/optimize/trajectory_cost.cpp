@@ -88,6 +88,7 @@ double TrajectoryCost::evaluate(const Variables& x, Variables& gradient) {
     gradient_.durations[i] += params_.time_weight;
   }
   cost += add_samples();
+  if (!problem_->bodies.empty()) cost += add_bodies();
   cost += add_jerk_energy(minco_, gradient_);
   propagate(minco_, gradient_);
   for (int i = 0; i + 1 < n; ++i)
@@ -126,12 +127,38 @@ double TrajectoryCost::add_samples() {
     cost += sum.value;
     shifts[at.piece] += add_position_gradient(minco_, at, sum.gradient, gradient_);
   }
+  add_shifts(shifts);
+  return cost;
+}
+
+double TrajectoryCost::add_bodies() {
+  const auto& bodies = problem_->bodies;
+  double cost = 0.0;
+  std::array<double, kMaxPieces> shifts;
+  std::fill_n(shifts.begin(), minco_.pieces, 0.0);
+  PieceTime at;
+  for (auto next = bodies.begin(); next != bodies.end();) {
+    const double time_s = next->time_s;
+    advance(minco_, time_s, at);
+    const Vec3 p = position_at(minco_, at);
+    PointPenalty sum;
+    for (; next != bodies.end() && next->time_s == time_s; ++next)
+      add_gap(p, problem_->hull_radius_m, next->pillar, problem_->gap_wanted_m,
+              next->weight * params_.gap_weight, sum);
+    if (sum.value == 0.0) continue;
+    cost += sum.value;
+    shifts[at.piece] += add_position_gradient(minco_, at, sum.gradient, gradient_);
+  }
+  add_shifts(shifts);
+  return cost;
+}
+
+void TrajectoryCost::add_shifts(const std::array<double, kMaxPieces>& shifts) {
   double later = 0.0;
   for (int i = minco_.pieces - 1; i >= 0; --i) {
     gradient_.durations[i] += later;
     later += shifts[i];
   }
-  return cost;
 }
 
 void TrajectoryCost::precondition(Variables& direction) const {

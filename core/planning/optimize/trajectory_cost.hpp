@@ -39,6 +39,10 @@ class TrajectoryCost : public CostFunction {
   void smooth_first_guess();
   void add_sample(const PreparedSample& prepared, const Vec3& p, PointPenalty& sum) const;
   double add_samples();
+  double add_bodies();
+  /// What shifts of the local times by earlier durations cost, summed over each
+  /// piece.
+  void add_shifts(const std::array<double, kMaxPieces>& shifts);
 
   const OptimizationProblem* problem_ = nullptr;
   OptimizerParams params_;

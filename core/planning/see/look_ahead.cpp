@@ -25,9 +25,15 @@ class LookingAhead {
   }
 
   // The vehicle cannot turn at once: the way begins along its present motion.
+  // To another level it rises or sinks before.
   void begin_way(const Vec3& start, const Vec3& velocity) {
     out_.way.points.assign(1, start);
     out_.way.arrival.clear();
+    const Vec3 above = context_.surface.at(start.head<2>());
+    if (std::abs(above.z() - start.z()) > context_.map.resolution_m) {
+      out_.way.points.push_back(above);
+      return;
+    }
     const Vec3 coast = start + kCoast_s * velocity;
     if ((coast - start).norm() > context_.map.resolution_m &&
         is_clear(context_.map, start, coast, context_.params.path_clearance_m()))
@@ -36,9 +42,10 @@ class LookingAhead {
 
   void find_waypoints() {
     const ExpectedPath& path = expected_.paths[0];
+    const double step_s = context_.params.horizon.step_s;
     out_.views[0].assign(path.positions_enu_m.size(), View{});
     for (std::size_t k = 0; k < path.positions_enu_m.size(); ++k) {
-      search(path.positions_enu_m[k]);
+      search(path.positions_enu_m[k], context_.start_s + step_s * static_cast<double>(k + 1));
       clock_.lap(PlanStage::kPath);
       View& view = out_.views[0][k];
       view = view_of(path.positions_enu_m[k], path.velocities_enu_m_s[k], out_.way.points.back());
@@ -61,10 +68,10 @@ class LookingAhead {
   }
 
  private:
-  void search(const Vec3& target) {
+  void search(const Vec3& target, double time_s) {
     const int left = context_.params.place.search_expansions_max - out_.search.expansions;
     const WaypointKind kind =
-        search_waypoint(out_.search, context_, out_.way.points.back(), target,
+        search_waypoint(out_.search, context_, out_.way.points.back(), target, time_s,
                         std::clamp(left, 0, kExpansionsOfOneSearch), out_.way.points);
     out_.target_seen |= kind == WaypointKind::kSees;
     out_.path_found |= kind != WaypointKind::kNone;

@@ -36,8 +36,12 @@ PathPoint sample(const PredictedPath& path, double time_s) {
 
 }  // namespace
 
+Vec3 position_on(const PredictedPath& path, double time_s) {
+  return sample(path, time_s).position_enu_m;
+}
+
 Vec3 ExpectedPath::position(double t_s) const {
-  return sample(*believed, start_s + t_s).position_enu_m;
+  return position_on(*believed, start_s + t_s);
 }
 
 int ExpectedTarget::owner(int i, std::size_t k, double near_m) const {
@@ -52,7 +56,10 @@ int ExpectedTarget::owner(int i, std::size_t k, double near_m) const {
 void update_belief(TargetBelief& belief, const TargetState& target, const Prediction* prediction,
                    const HorizonParams& params) {
   belief.count = 0;
-  if (prediction != nullptr && prediction->status == PredictionStatus::kOk) {
+  const bool usable =
+      prediction != nullptr && (prediction->status == PredictionStatus::kOk ||
+                                prediction->status == PredictionStatus::kSearchExhausted);
+  if (usable) {
     belief.stamp_s = prediction->stamp_s;
     for (const PredictedPath& path : prediction->paths) {
       if (belief.count == kMaxIntentions) break;

@@ -18,9 +18,14 @@ struct TargetBelief {
   int count = 0;
 };
 
-/// Keeps the prediction; without a usable one, a constant-velocity path of the target.
+/// Keeps the prediction, also one whose search was cut short: it is used as far as it goes. Without
+/// any path, or for a target inside an obstacle, a constant-velocity path of the target.
 void update_belief(TargetBelief& belief, const TargetState& target, const Prediction* prediction,
                    const HorizonParams& params);
+
+/// Where the target is on a believed path, a time after the belief's stamp. After its end a path
+/// goes on with its last velocity for a short time and then stands still.
+Vec3 position_on(const PredictedPath& path, double time_s);
 
 /// z_k at t_k = Δ … T_p after a trajectory's start, of one intention.
 struct ExpectedPath {
@@ -44,9 +49,8 @@ struct ExpectedTarget {
   int owner(int i, std::size_t k, double near_m) const;
 };
 
-/// Moves the believed paths to start_s by interpolation. After its end a path goes on with its last
-/// velocity for a short time and then stands still. Paths below the least probability are left out,
-/// or all but the first without hedging.
+/// Moves the believed paths to start_s by interpolation. Paths below the least probability are left
+/// out, or all but the first without hedging.
 void align(const TargetBelief& belief, double start_s, const HorizonParams& params,
            ExpectedTarget& expected);
 

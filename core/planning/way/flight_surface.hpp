@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "core/common/grid_map.hpp"
 #include "core/planning/plan_params.hpp"
@@ -27,8 +28,19 @@ struct FlightSurface {
 };
 
 /// The level is the wanted height above the target; if little is free there around the vehicle and
-/// the target, the nearest level within height_search_m that is freer. Cost: < 100 lookups.
+/// the target, the nearest level within height_search_m that is freer. No level is lower than
+/// least_altitude_m above the ground below the target, as far as the map knows that ground. Cost: <
+/// 100 lookups.
 FlightSurface choose_flight_surface(const GridMap& map, const Vec3& start_enu_m,
                                     const Vec3& target_enu_m, const PlanningParams& params);
+
+/// How many other levels there are to try.
+inline constexpr int kOtherLevels = 6;
+/// The i-th other level, i = 0 … kOtherLevels − 1: for when no way was found, as something that is
+/// not around the vehicle or the target lies between them. It is flat: the vehicle rises or sinks
+/// to it where it is. None where that is not clear.
+std::optional<FlightSurface> other_flight_surface(const GridMap& map, const Vec3& start_enu_m,
+                                                  const Vec3& target_enu_m, int i,
+                                                  const PlanningParams& params);
 
 }  // namespace foretrack

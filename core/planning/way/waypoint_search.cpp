@@ -10,7 +10,8 @@ namespace foretrack {
 namespace {
 
 constexpr int kWindow = 256;                 // cells a side
-constexpr double kNearTargetFactor = 3.0;    // cost of way closer to the person than allowed
+constexpr double kNearBodyFactor = 8.0;      // cost of way through somebody, less towards the gap
+constexpr double kNearby_m = 6.0;            // bodies farther from the target do not matter
 constexpr double kLowClearanceFactor = 1.0;  // cost of way beside obstacles
 constexpr double kGreed = 1.15;  // of the heuristic: fewer expansions for a slightly longer way
 
@@ -18,7 +19,7 @@ constexpr double kGreed = 1.15;  // of the heuristic: fewer expansions for a sli
 // heuristic (a lower bound: every metre of way costs at least 1).
 class RingSearch {
  public:
-  RingSearch(SearchState& state, const SearchContext& context, const Vec3& target)
+  RingSearch(SearchState& state, const SearchContext& context, const Vec3& target, double time_s)
       : s_(state),
         map_(context.map),
         surface_(context.surface),
@@ -26,13 +27,22 @@ class RingSearch {
         skip_m_(context.params.horizon.target_radius_m),
         wanted_m_(context.wanted_distance_m),
         tolerance_m_(context.ring_tolerance_m),
-        too_near_m_(context.params.check.target_distance_min_m + 0.2),
+        body_(context.params.body),
         required_cm_(
-            static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {}
+            static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {
+    if (context.courses == nullptr) return;
+    for (const BodyCourse& course : context.courses->all()) {
+      if (time_s - context.start_s > course.horizon_s) continue;
+      const Vec3 foot = course.body.expected_at(time_s);
+      if (distance_xy(foot, target) > kNearby_m) continue;
+      nearby_[nearby_count_++] = {foot, course.body.radius_m, course.body.height_m,
+                                  course.probability};
+    }
+  }
 
   // True at a place on the ring that sees the target.
   bool is_goal(const Vec3& p) const {
-    return to_ring_m(p.head<2>()) <= 0.0 && sees(map_, target_, p, skip_m_);
+    return to_ring_m(p.head<2>()) <= 0.0 && sees(map_, target_, p, skip_m_) && keeps_gaps(p);
   }
 
   // The node at which the search ended; `best` is the goal or what came nearest to the ring.
@@ -147,16 +157,40 @@ class RingSearch {
 
   double cost_factor(const Vec2& xy, int clearance) const {
     const double low = std::max(0.0, 1.0 - clearance / (2.0 * required_cm_));
-    const bool near = (xy - target_.head<2>()).squaredNorm() < too_near_m_ * too_near_m_;
-    return 1.0 + kLowClearanceFactor * low + (near ? kNearTargetFactor : 0.0);
+    return 1.0 + kLowClearanceFactor * low + kNearBodyFactor * nearness(surface_.at(xy));
+  }
+
+  struct Nearby {
+    Vec3 foot;
+    double radius_m, height_m, probability;
+  };
+  double gap_to(const Nearby& body, const Vec3& p) const {
+    return gap_m(p, body_.hull_radius_m, body.foot, body.radius_m, body.height_m);
+  }
+  bool keeps_gaps(const Vec3& p) const {
+    for (int i = 0; i < nearby_count_; ++i)
+      if (gap_to(nearby_[i], p) < body_.gap_min_m) return false;
+    return true;
+  }
+  // 0 from the wanted gap on, 1 where the hulls touch, and at most that.
+  double nearness(const Vec3& p) const {
+    double most = 0.0;
+    for (int i = 0; i < nearby_count_; ++i) {
+      const double missing = std::clamp(1.0 - gap_to(nearby_[i], p) / body_.gap_wanted_m, 0.0, 1.0);
+      most = std::max(most, nearby_[i].probability * missing);
+    }
+    return most;
   }
 
   SearchState& s_;
   const GridMap& map_;
   const FlightSurface& surface_;
   const Vec3 target_;
-  const double skip_m_, wanted_m_, tolerance_m_, too_near_m_;
+  const double skip_m_, wanted_m_, tolerance_m_;
+  const GapParams& body_;
   const int required_cm_;
+  std::array<Nearby, BodyCourses::kCapacity> nearby_;
+  int nearby_count_ = 0;
 };
 
 }  // namespace
@@ -172,9 +206,9 @@ void begin_searches(SearchState& state, const SearchContext& context, const Vec3
 }
 
 WaypointKind search_waypoint(SearchState& state, const SearchContext& context, const Vec3& from,
-                             const Vec3& target_enu_m, int expansions_max,
+                             const Vec3& target_enu_m, double time_s, int expansions_max,
                              std::vector<Vec3>& path) {
-  RingSearch search(state, context, target_enu_m);
+  RingSearch search(state, context, target_enu_m, time_s);
   if (search.is_goal(from)) return WaypointKind::kSees;
   int best = -1;
   const WaypointKind kind = search.run(from, expansions_max, best);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/planning/motion/keep_clear.hpp"
 #include "core/planning/way/flight_surface.hpp"
 
 namespace foretrack {
@@ -38,9 +39,11 @@ struct SearchContext {
   const GridMap& map;
   const FlightSurface& surface;
   const PlanningParams& params;
-  const FlightLimits& limits;      // the plan's own: a search is slower than the parameters
-  double wanted_distance_m = 2.0;  // radius of the ring around the target
-  double ring_tolerance_m = 0.2;   // its half width
+  const FlightLimits& limits;            // the plan's own: a search is slower than the parameters
+  double wanted_distance_m = 2.0;        // radius of the ring around the target
+  double ring_tolerance_m = 0.2;         // its half width
+  const BodyCourses* courses = nullptr;  // everybody who moves; null: nobody
+  double start_s = 0.0;                  // absolute time at which the way begins
 };
 
 /// What a waypoint was found for.
@@ -54,11 +57,13 @@ enum class WaypointKind : std::uint8_t {
 void begin_searches(SearchState& state, const SearchContext& context, const Vec3& start_enu_m);
 
 /// A* in the flight surface from `from` to the nearest place whose horizontal distance to the
-/// target is the wanted one within the tolerance, with free line of sight to it. Appends the places
-/// after `from` to `path` (nothing if `from` is such a place already). A start nearer to obstacles
-/// than allowed may be left in directions that do not come nearer. Cost: bounded by expansions_max;
-/// in open space a few expansions a cell of way.
+/// target is the wanted one within the tolerance, with free line of sight to it, and the check's
+/// gap to everybody who is expected nearby at time_s (absolute). Way within the wanted gap costs
+/// more. Appends the places after `from` to `path` (nothing if `from` is such a place already). A
+/// start nearer to obstacles than allowed may be left in directions that do not come nearer. Cost:
+/// bounded by expansions_max; in open space a few expansions a cell of way.
 WaypointKind search_waypoint(SearchState& state, const SearchContext& context, const Vec3& from,
-                             const Vec3& target_enu_m, int expansions_max, std::vector<Vec3>& path);
+                             const Vec3& target_enu_m, double time_s, int expansions_max,
+                             std::vector<Vec3>& path);
 
 }  // namespace foretrack

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/mapping/mapping_service.hpp"
 
-#include "core/bodies/bodies_around.hpp"
+#include "services/convert/bodies.hpp"
 #include "services/convert/geometry.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
-#include "services/convert/target.hpp"
 
 namespace foretrack {
 namespace {
@@ -20,6 +19,7 @@ constexpr double kMapPeriod_s = 0.1;
 constexpr double kOthersPeriod_s = 1.0;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kPoseWait_s = 0.05;
+constexpr double kBodiesStale_s = 0.6;
 constexpr double kImageStale_s = 1.0;
 constexpr double kJitter_s = 0.02;  // of the images: 10 Hz out of 15 Hz is every second one or so
 
@@ -32,9 +32,10 @@ MappingService::MappingService(Service& service, const MappingParams& params)
       vehicle_(service, [this] { update(); }),
       image_(service.node()),
       info_(service.node()),
-      target_reader_(service.node()),
+      bodies_reader_(service.node()),
       mount_(service.node()),
       map_(service.node()),
+      sightings_(service.node()),
       octree_(service.node()),
       points_(service.node()) {
   Loop& loop = service.loop();
@@ -42,7 +43,7 @@ MappingService::MappingService(Service& service, const MappingParams& params)
   loop.on_newest(
       info_, [this](const auto& message) { return from_idl(message, T_body_camera_); },
       [this](const CameraModel& camera) { camera_ = camera; });
-  loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
+  loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) { bodies_ = bodies; });
   loop.on_newest(image_, [this](const auto& message) { take(message); });
   loop.every(kOthersPeriod_s, [this] { publish_for_others(); });
   loop.every(kWatchPeriod_s, [this] { watch(); });
@@ -74,11 +75,11 @@ void MappingService::update() {
   const bool covered = vehicle && vehicle->stamp_s >= depth_.stamp_s;
   if (!covered && service_.clock().now_s() - arrived_s_ < kPoseWait_s) return;
   waiting_ = false;
-  MovingBodies bodies;
-  if (target_ && target_->usable())
-    bodies.add(followed_body({*target_}, depth_.stamp_s, BodyParams{}));
-  const auto result = update_map(state_, depth_, vehicle_.history(), bodies.all(), params_);
+  if (std::abs(depth_.stamp_s - bodies_.stamp_s) > kBodiesStale_s) bodies_.count = 0;
+  const auto result = update_map(state_, depth_, vehicle_.history(), bodies_.all(), params_);
   if (result.status != MapStatus::kUpdated) return image_.refuse(kNoPose);
+  to_idl(state_.movers, sightings_.sample());
+  sightings_.write();
   publish();
 }
 

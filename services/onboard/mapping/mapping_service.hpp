@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth images and odometry in, the map around the vehicle out.
+// Depth images and odometry in, the map around the vehicle and what moves in it out.
 #pragma once
 
 #include <optional>
 
 #include "core/common/target.hpp"
 #include "core/mapping/update_map.hpp"
+#include "foretrack_msgs/msg/BodySightings.h"
 #include "foretrack_msgs/msg/LocalMap.h"
-#include "foretrack_msgs/msg/TargetState.h"
+#include "foretrack_msgs/msg/MovingBodies.h"
 #include "octomap_msgs/msg/Octomap.h"
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
@@ -18,8 +19,8 @@
 namespace foretrack {
 
 /// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and the octree and
-/// the occupied cells once a second to who asks for them. The camera's mount is that of tf_static,
-/// or looks along body x.
+/// the occupied cells once a second to who asks for them; what moves at each image. The camera's
+/// mount is that of tf_static, or looks along body x.
 class MappingService {
  public:
   MappingService(Service& service, const MappingParams& params);
@@ -38,14 +39,15 @@ class MappingService {
   VehicleInput vehicle_;
   Reader<topics::DepthImage> image_;
   Reader<topics::DepthCameraInfo> info_;
-  Reader<topics::TargetState> target_reader_;
+  Reader<topics::MovingBodies> bodies_reader_;
   Reader<topics::StaticTransforms> mount_;
   Writer<topics::LocalMap> map_;
+  Writer<topics::BodySightings> sightings_;
   Writer<topics::OctoMap> octree_;
   Writer<topics::MapPoints> points_;
   std::optional<CameraModel> camera_;
   Pose T_body_camera_ = CameraModel::default_mount();
-  std::optional<TargetState> target_;
+  MovingBodies bodies_;
   DepthImage depth_;
   bool waiting_ = false;  // depth_ waits for the odometry of its stamp
   double arrived_s_ = -1e9;

@@ -21,12 +21,14 @@ constexpr double kSameInstant_s = 0.025;  // colour and depth
 }  // namespace
 
 ImageInput::ImageInput(Service& service, const PerceptionParams& params,
-                       const PerceptionState& track, const VehicleInput& vehicle, Callback callback)
+                       const PerceptionState& track, const VehicleInput& vehicle, OnSeen seen,
+                       OnPeople people)
     : service_(service),
       params_(params),
       track_(track),
       vehicle_(vehicle),
-      callback_(std::move(callback)),
+      seen_(std::move(seen)),
+      people_seen_(std::move(people)),
       mount_(service.node()),
       info_(service.node()),
       image_(service.node()) {
@@ -86,8 +88,12 @@ void ImageInput::look(double stamp_s) {
     seen.observation = &observation_;
     seen.torso_depth_m = torso_depth_m(observation_);
   }
-  callback_(seen);
-  watch_others(pose_, rgb_, stamp_s, *network_, params_);
+  seen_(seen);
+  auto others = watch_others(pose_, rgb_, stamp_s, *network_, params_);
+  for (OtherPerson& other : others)
+    if (other.pose) undistort(*other.pose, camera_->camera, camera_->lens);
+  sight_people(others, stamp_s, camera_->camera, vehicle_.history(), params_, people_);
+  people_seen_(people_);
 }
 
 double ImageInput::torso_depth_m(const TargetObservation& observation) {

@@ -7,6 +7,7 @@
 
 #include "core/perception/perceive.hpp"
 #include "core/perception/perceive_image.hpp"
+#include "core/perception/sight_people.hpp"
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/convert/color_image.hpp"
@@ -26,11 +27,13 @@ class ImageInput {
     const TargetObservation* observation = nullptr;
     double torso_depth_m = 0.0;  // NaN: not measured
   };
-  using Callback = std::function<void(const Seen&)>;
+  using OnSeen = std::function<void(const Seen&)>;
+  using OnPeople = std::function<void(const PeopleSeen&)>;
 
-  /// `track` and `vehicle` say where the person is expected; they outlive this.
+  /// At each image `seen` is called, and then `people`, with all others. `track` and `vehicle` say
+  /// where the person is expected; they outlive this.
   ImageInput(Service& service, const PerceptionParams& params, const PerceptionState& track,
-             const VehicleInput& vehicle, Callback callback);
+             const VehicleInput& vehicle, OnSeen seen, OnPeople people);
 
   /// Why images are of no use now; empty: they are, or none come.
   const std::string& trouble() const { return trouble_; }
@@ -48,7 +51,8 @@ class ImageInput {
   PerceptionParams params_;
   const PerceptionState& track_;
   const VehicleInput& vehicle_;
-  Callback callback_;
+  OnSeen seen_;
+  OnPeople people_seen_;
   Reader<topics::StaticTransforms> mount_;
   Reader<topics::ColorCameraInfo> info_;
   Reader<topics::ColorImage> image_;
@@ -63,6 +67,7 @@ class ImageInput {
   RgbImage rgb_;
   DepthImage depth_;
   TargetObservation observation_;
+  PeopleSeen people_;
   std::string trouble_;
   double next_load_s_ = -1e9;
   double ambiguous_s_ = -1e9;

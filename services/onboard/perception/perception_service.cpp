@@ -5,11 +5,18 @@
 #include <cmath>
 #include <limits>
 
+#include "services/convert/bodies.hpp"
+#include "services/convert/prediction.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/visual.hpp"
 
 namespace foretrack {
 namespace {
+
+// Found here, where all from_idl are declared.
+constexpr auto convert = [](auto&& message) {
+  return from_idl(std::forward<decltype(message)>(message));
+};
 
 constexpr double kCoastPeriod_s = 1.0 / 30.0;
 constexpr double kPoseWait_s = 0.05;  // odometry comes at 30 Hz or more
@@ -23,15 +30,27 @@ constexpr double kOwnImages_s = 1.0;  // while there are some, observations of o
 
 }  // namespace
 
-PerceptionService::PerceptionService(Service& service, const PerceptionParams& params)
+PerceptionService::PerceptionService(Service& service, const PerceptionParams& params,
+                                     const BodyParams& body_params)
     : service_(service),
       params_(params),
+      body_params_(body_params),
       vehicle_(service, [this] { perceive_waiting(); }),
       observation_(service.node()),
+      sightings_(service.node()),
+      prediction_reader_(service.node()),
       target_(service.node()),
+      bodies_(service.node()),
       markers_(service.node()),
-      images_(service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); }) {
+      images_(
+          service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); },
+          [this](const PeopleSeen& people) { take_sightings(people.sightings, people.looks); }) {
   service.loop().on_each(observation_, [this](const auto& message) { take(message); });
+  service.loop().on_each(sightings_, convert,
+                         [this](const BodySightings& seen) { take_sightings(seen, {}); });
+  service.loop().on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
+    prediction_ = std::move(prediction);
+  });
   service.loop().every(kCoastPeriod_s, [this] { coast_if_silent(); });
 }
 
@@ -77,6 +96,9 @@ void PerceptionService::perceive_waiting() {
     const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
     if (result.status == PerceptionStatus::kGated) ++gated_;
     delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
+    if (result.used_landmarks > 0)
+      if (const auto look = look_of(observation, vehicle_.history(), params_))
+        bodies_state_.followed_look = *look;
     if (result.target.stamp_s > published_s_) publish(result.target);
   }
 }
@@ -92,6 +114,7 @@ void PerceptionService::coast_if_silent() {
                                                               : "");
   if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
     state_ = {};
+    bodies_state_ = {};
     published_s_ = -1.0;
     looked_s_ = -1e9;
   }
@@ -106,8 +129,25 @@ void PerceptionService::publish(const TargetState& target) {
   to_idl(target, target_.sample());
   target_.sample().rejected_measurements(gated_);
   target_.write();
+  publish_bodies(target);
   if (target.status != TrackStatus::kNone) published_s_ = target.stamp_s;
   publish_markers(target);
+}
+
+void PerceptionService::take_sightings(const BodySightings& seen,
+                                       std::span<const PersonLook> looks) {
+  const TargetState target = coast(state_, seen.stamp_s, params_);
+  track_bodies(bodies_state_, seen, target, body_params_, looks);
+}
+
+void PerceptionService::publish_bodies(const TargetState& target) {
+  const VehicleState* vehicle = vehicle_.newest();
+  const double stamp_s = std::max(target.stamp_s, bodies_state_.newest_s);
+  bodies_around(bodies_state_, stamp_s, {target, &prediction_, params_.target_height_m},
+                vehicle ? vehicle->position_enu_m : Vec3(Vec3::Zero()), body_params_, around_,
+                looks_);
+  to_idl(around_, looks_, bodies_.sample());
+  bodies_.write();
 }
 
 void PerceptionService::publish_markers(const TargetState& target) {
@@ -118,9 +158,10 @@ void PerceptionService::publish_markers(const TargetState& target) {
   markers_.write();
 }
 
-void run_perception(const ServiceOptions& options, const PerceptionParams& params, Stop& stop) {
+void run_perception(const ServiceOptions& options, const PerceptionParams& params,
+                    const BodyParams& body_params, Stop& stop) {
   Service service("perception", options, stop);
-  PerceptionService stage(service, params);
+  PerceptionService stage(service, params, body_params);
   service.run();
 }
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images or observations, and odometry, in; the target's state out.
+// Images or observations, sightings of others, and odometry in; the target's state and all bodies
+// around out.
 #pragma once
 
 #include <deque>
 #include <optional>
 
+#include "core/bodies/bodies_around.hpp"
 #include "core/perception/perceive.hpp"
+#include "foretrack_msgs/msg/BodySightings.h"
+#include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
+#include "foretrack_msgs/msg/TargetPrediction.h"
 #include "foretrack_msgs/msg/TargetState.h"
 #include "services/onboard/inputs.hpp"
 #include "services/onboard/perception/image_input.hpp"
@@ -16,10 +21,12 @@ namespace foretrack {
 
 /// Publishes at each observation, stamped with its image; while none come, it coasts at 30 Hz to
 /// where observations would be now (now less their usual delay), so that stamps never go back. What
-/// it sees in images it publishes as observations too.
+/// it sees in images it publishes as observations too. With each state it publishes the bodies
+/// around, extrapolated to the newest sensor data.
 class PerceptionService {
  public:
-  PerceptionService(Service& service, const PerceptionParams& params);
+  PerceptionService(Service& service, const PerceptionParams& params,
+                    const BodyParams& body_params = {});
 
  private:
   struct Waiting {
@@ -33,16 +40,26 @@ class PerceptionService {
   void perceive_waiting();
   void coast_if_silent();
   void publish(const TargetState& target);
+  void take_sightings(const BodySightings& seen, std::span<const PersonLook> looks);
+  void publish_bodies(const TargetState& target);
   void publish_markers(const TargetState& target);
 
   Service& service_;
   PerceptionParams params_;
+  BodyParams body_params_;
   PerceptionState state_;
+  BodiesState bodies_state_;
   VehicleInput vehicle_;
   Reader<topics::TargetObservation> observation_;
   std::optional<Writer<topics::TargetObservation>> seen_;  // of images, once some come
+  Reader<topics::BodySightings> sightings_;
+  Reader<topics::TargetPrediction> prediction_reader_;
   Writer<topics::TargetState> target_;
+  Writer<topics::MovingBodies> bodies_;
   Writer<topics::Markers> markers_;
+  Prediction prediction_;
+  MovingBodies around_;
+  std::array<PersonLook, MovingBodies::kCapacity> looks_;
   std::deque<Waiting> waiting_;  // for the odometry of their stamps
   double delay_s_ = 0.0;         // of the last observation
   double published_s_ = -1.0;    // stamp of the last usable state
@@ -53,6 +70,7 @@ class PerceptionService {
 };
 
 /// Until the stop is requested.
-void run_perception(const ServiceOptions& options, const PerceptionParams& params, Stop& stop);
+void run_perception(const ServiceOptions& options, const PerceptionParams& params,
+                    const BodyParams& body_params, Stop& stop);
 
 }  // namespace foretrack

@@ -7,6 +7,7 @@
 
 #include "core/planning/stage_clock.hpp"
 #include "services/common/time_now.hpp"
+#include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
 #include "services/convert/target.hpp"
@@ -39,6 +40,7 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
       target_reader_(service.node()),
       intention_reader_(service.node()),
       prediction_reader_(service.node()),
+      bodies_reader_(service.node()),
       plan_(service.node()),
       path_(service.node()),
       markers_(service.node()) {
@@ -51,6 +53,7 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   loop.on_newest(target_reader_, convert, [this](const TargetState& target) { target_ = target; });
   loop.on_newest(intention_reader_, convert,
                  [this](const IntentionAssessment& intention) { believe(intention); });
+  loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) { bodies_ = bodies; });
   loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
     prediction_ = std::move(prediction);
     // Not before the last plan has started: the gate keeps but one waiting.
@@ -80,6 +83,7 @@ PlanInput PlanningService::gather(double now_s) const {
   if (intention_) in.intention = &*intention_;
   if (prediction_) in.prediction = &*prediction_;
   in.map = &map_;
+  if (bodies_) in.bodies = &*bodies_;
   return in;
 }
 

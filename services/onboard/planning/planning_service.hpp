@@ -6,6 +6,7 @@
 
 #include "core/planning/plan.hpp"
 #include "foretrack_msgs/msg/LocalMap.h"
+#include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
 #include "foretrack_msgs/msg/TargetIntention.h"
 #include "foretrack_msgs/msg/TargetPrediction.h"
@@ -39,6 +40,7 @@ class PlanningService {
   Reader<topics::TargetState> target_reader_;
   Reader<topics::TargetIntention> intention_reader_;
   Reader<topics::TargetPrediction> prediction_reader_;
+  Reader<topics::MovingBodies> bodies_reader_;
   Writer<topics::PlannedTrajectory> plan_;
   Writer<topics::PlanPath> path_;
   Writer<topics::Markers> markers_;
@@ -46,6 +48,7 @@ class PlanningService {
   TargetState target_;
   std::optional<IntentionAssessment> intention_;
   std::optional<Prediction> prediction_;
+  std::optional<MovingBodies> bodies_;
   double planned_s_ = -1e9;
   double drawn_s_ = -1e9;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/order_proof.hpp"
 #include "services/convert/safety.hpp"
@@ -45,12 +46,14 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
       vehicle_(service),
       plan_reader_(service.node()),
       map_reader_(service.node()),
+      bodies_reader_(service.node()),
       order_reader_(service.node()),
       report_(service.node()) {
   remember_start(memory_file);
   vehicle_.pin_writer(kSilence_s);
   plan_reader_.pin_writer(kSilence_s);
   map_reader_.pin_writer(kMapSilence_s);
+  bodies_reader_.pin_writer(kSilence_s);
   order_reader_.take_future_stamps();  // STOP and LAND count whenever they were given
   Loop& loop = service.loop();
   loop.on_newest(plan_reader_, convert,
@@ -58,6 +61,10 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
   loop.on_newest(map_reader_, convert, [this](GridMap&& map) {
     map_ = std::move(map);
     map_at_s_ = service_.clock().steady_s();
+  });
+  loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) {
+    bodies_ = bodies;
+    bodies_at_s_ = service_.clock().steady_s();
   });
   loop.on_each(order_reader_,
                [this](const foretrack_msgs::msg::MissionCommand& order) { hear_order(order); });
@@ -96,6 +103,8 @@ void SafetyGateService::tick() {
   if (plan_) in.plan = &*plan_;
   if (map_) in.map = &*map_;
   in.map_at_s = map_at_s_;
+  if (bodies_) in.bodies = &*bodies_;
+  in.bodies_at_s = bodies_at_s_;
   if (!orders_.empty()) in.command = &orders_.front();
   in.operator_at_s = operator_at_s_;
   in.writing = memory_.progress();
@@ -132,7 +141,7 @@ std::string SafetyGateService::alarm() {
   std::uint64_t samples = 0;
   std::string topic;
   for (const EndpointStats* stats :
-       {&plan_reader_.stats(), &vehicle_.stats(), &map_reader_.stats()}) {
+       {&plan_reader_.stats(), &vehicle_.stats(), &map_reader_.stats(), &bodies_reader_.stats()}) {
     const auto refused = stats->rejected_for(kSecondWriter);
     samples += refused;
     if (refused > 0) topic = stats->topic;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans, orders, the map and the flight controller's state in; setpoints, the heartbeat and
-// requests out.
+// Plans, orders, the map, bodies around and the flight controller's state in; setpoints, the
+// heartbeat and requests out.
 #pragma once
 
 #include <deque>
@@ -10,6 +10,7 @@
 #include "core/safety/gate.hpp"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MissionCommand.h"
+#include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
 #include "foretrack_msgs/msg/SafetyState.h"
 #include "services/onboard/inputs.hpp"
@@ -20,7 +21,7 @@ namespace foretrack {
 
 /// Ticks at 100 Hz. The only writer of what the flight controller obeys. Its state goes out at
 /// 20 Hz, and at once when the mode, the flown trajectory or an order's result changes. Plans,
-/// odometry, the map and the flight controller's status are each heard from one writer.
+/// odometry, the map, bodies and the flight controller's status are each heard from one writer.
 class SafetyGateService {
  public:
   /// Remembers the mission in `memory_file`; empty: nowhere.
@@ -45,11 +46,14 @@ class SafetyGateService {
   VehicleInput vehicle_;
   Reader<topics::PlannedTrajectory> plan_reader_;
   Reader<topics::LocalMap> map_reader_;
+  Reader<topics::MovingBodies> bodies_reader_;
   Reader<topics::MissionCommand> order_reader_;
   Writer<topics::SafetyState> report_;
   std::optional<PlannedTrajectory> plan_;  // that the gate has not seen
   std::optional<GridMap> map_;
   double map_at_s_ = -1.0;
+  std::optional<MovingBodies> bodies_;
+  double bodies_at_s_ = -1.0;
   double operator_at_s_ = -1.0;
   std::deque<MissionCommand> orders_;
   GateResult last_;

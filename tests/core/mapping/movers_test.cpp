@@ -168,6 +168,18 @@ TEST(Movers, AKnownBodyThatMovesLeavesNoGhost) {
   }
 }
 
+TEST(Movers, APersonWhoWasAnObstacleBeforeTheyWereKnownIsNoneWhereTheyStand) {
+  Room room;
+  for (int k = 0; k < 5; ++k) room.look({{2.5, 0.0}});
+  ASSERT_GT(room.occupied_at({2.5, 0.0}), 5);
+  std::array<MovingBody, 1> person;
+  person[0].followed = true;
+  person[0].kind = BodyKind::kPerson;
+  person[0].position_enu_m = {2.5, 0.05, 0.0};
+  for (int k = 0; k < 15; ++k) room.look({{2.5, 0.0}}, person);
+  EXPECT_EQ(room.occupied_at({2.5, 0.0}), 0);
+}
+
 TEST(Movers, ABodyThatHasStoppedIsAnObstacleUnlessItIsAPerson) {
   for (const BodyKind kind : {BodyKind::kUnknown, BodyKind::kPerson}) {
     Room room;

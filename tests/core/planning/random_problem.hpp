@@ -16,6 +16,7 @@ struct RandomProblemOptions {
   int samples_per_path = 15;
   double sample_step_s = 0.2;
   double behind_m = 2.0;  // of the vehicle, on the target's way
+  bool bodies = false;    // somebody crosses the way
 };
 
 namespace random_problem {
@@ -109,6 +110,10 @@ inline OptimizationProblem make_random_problem(std::uint64_t seed,
     problem.corridor.push_back(random_problem::box_around(
         waypoint(kPiecesPerPolytope * i), waypoint(kPiecesPerPolytope * (i + 1)), random));
   problem.min_total_duration_s = horizon_s;
+  // Somebody who crosses the way.
+  for (int i = 1; options.bodies && i <= 10; ++i)
+    problem.bodies.push_back(
+        {0.2 * i, 1.0, {guess(1.0) + Vec3(0.0, 0.3 * (i - 5), -1.5), 0.25, 1.75}});
   double left = 1.0;
   for (int path = 0; path < options.paths; ++path) {
     const double weight = path + 1 == options.paths ? left : 0.6 * left;

@@ -14,6 +14,7 @@ const types = {
   "target/state": "foretrack_msgs/TargetState",
   "target/intention": "foretrack_msgs/TargetIntention",
   "target/prediction": "foretrack_msgs/TargetPrediction",
+  "bodies": "foretrack_msgs/MovingBodies",
   "plan/trajectory": "foretrack_msgs/PlannedTrajectory",
   "safety/state": "foretrack_msgs/SafetyState",
   "health": "foretrack_msgs/ServiceHealth",
@@ -115,6 +116,27 @@ function prediction(t, index) {
   return { header: headerOf(t), status: 0, paths, expansions: 100, compute_ms: 2.5 };
 }
 
+const nowhere4 = new Array(4).fill(0);
+
+/** The person, and one who walks a smaller circle the other way round. */
+function bodies(t, index) {
+  const p = personAt(t, index);
+  const [cx, cy] = [12 * (index % 4), 12 * Math.floor(index / 4)];
+  const angle = -0.6 * t;
+  const other = { x: cx + 1.5 * Math.cos(angle), y: cy + 1.5 * Math.sin(angle),
+    yaw: angle - Math.PI / 2, speed: 0.9 };
+  const body = (id, followed, { x, y, yaw, speed }, places_m) => ({ id, kind: followed ? 0 : 2,
+    followed, position_m: [x, y, 0], velocity_mps: [speed * Math.cos(yaw), speed * Math.sin(yaw), 0],
+    position_covariance_m2: [0.01, 0, 0, 0.01], velocity_covariance_m2_s2: [0.1, 0, 0, 0.1],
+    radius_m: 0.25, height_m: 1.75, place_step_s: 0.2, places_m, look_age_s: -1, box_px: nowhere4,
+    landmarks: [], body_yaw_rad: NaN, head_yaw_rad: NaN });
+  const places = Array.from({ length: 15 }, (_, k) => {
+    const { x, y } = personAt(t + 0.2 * (k + 1), index);
+    return { x, y, z: 0 };
+  });
+  return { header: headerOf(t), bodies: [body(1, true, p, places), body(2, false, other, [])] };
+}
+
 function box(x, y) {
   const face = (normal, offset_m) => ({ normal, offset_m });
   return { faces: [face([1, 0, 0], x + 1.2), face([-1, 0, 0], -x + 1.2), face([0, 1, 0], y + 1.2),
@@ -199,7 +221,7 @@ export function samplesAt(t, step, index, orders = {}) {
   if (step % 2 === 0) samples.push(["odometry", odometry(t, index)]);
   if (step % 4 === 0)
     samples.push(["target/state", target(t, index)], ["target/intention", intention(t, index)],
-      ["target/prediction", prediction(t, index)],
+      ["target/prediction", prediction(t, index)], ["bodies", bodies(t, index)],
       ["plan/trajectory", plan(t, index, BigInt(step + 1))]);
   if (step % 5 === 0) samples.push(["safety/state", safety(t, orders)]);
   if (step % 100 === 0)

@@ -50,8 +50,8 @@ PlannedTrajectory straight(const Vec3& from, const Vec3& velocity, double durati
 }
 
 CheckResult check(const PlannedTrajectory& trajectory, const GridMap& map,
-                  const PredictedPath* target = nullptr, const CheckParams& params = {}) {
-  const CheckInputs inputs{map, state_at(trajectory.pieces[0], 0.0), {}, target, 0.0};
+                  const CheckParams& params = {}) {
+  const CheckInputs inputs{map, state_at(trajectory.pieces[0], 0.0), {}};
   return check_trajectory(trajectory, inputs, {}, params);
 }
 
@@ -230,49 +230,21 @@ TEST(CheckTrajectory, AgreesWithDenseSamplingOnRandomTrajectories) {
   EXPECT_LE(missed, 2);  // corners cut by less than half a cell
 }
 
-PredictedPath standing_target(const Vec3& at) {
-  PredictedPath path;
-  for (int k = 1; k <= 15; ++k) path.states.push_back({0.2 * k, at, Vec3::Zero(), Mat2::Zero()});
-  return path;
-}
-
-TEST(CheckTrajectory, KeepsItsDistanceToThePredictedTarget) {
+TEST(CheckTrajectory, KeepsItsGapToEverybodyWhoMoves) {
   const GridMap map = make_map();
-  const PredictedPath ahead = standing_target({3.0, 0.0, 1.0});
-  EXPECT_EQ(check(straight(kStart, kForward, 1.5), map, &ahead).reason, PlanReason::kTooNearTarget);
-  const PredictedPath aside = standing_target({3.0, 1.5, 1.0});
-  const CheckResult result = check(straight(kStart, kForward, 2.0), map, &aside);
-  EXPECT_TRUE(result.ok());
-  EXPECT_NEAR(result.min_target_distance_m, 1.5, 0.01);
-}
-
-TEST(CheckTrajectory, LetsAVehicleRetreatFromANearTarget) {
-  const GridMap map = make_map();
-  const PredictedPath near = standing_target({-0.5, 0.0, 1.0});
-  EXPECT_TRUE(check(straight(kStart, kForward, 1.5), map, &near).ok());
-  EXPECT_EQ(check(straight(kStart, -0.2 * kForward, 0.5), map, &near).reason,
-            PlanReason::kTooNearTarget);
-}
-
-// Whatever the vehicle does now, the distance falls first: rejecting the retreat would not help.
-TEST(CheckTrajectory, AcceptsTheRetreatFromATargetThatClosesIn) {
-  const GridMap map = make_map();
-  PredictedPath walker;
-  for (int k = 1; k <= 15; ++k)
-    walker.states.push_back(
-        {0.2 * k, Vec3(-0.8 + 0.2 * k, 0.0, 1.0), Vec3(1.0, 0.0, 0.0), Mat2::Zero()});
-  PlannedTrajectory retreat = straight(kStart, Vec3::Zero(), 1.0);
-  // From rest to 3 m/s within the first second: v = 9 t² − 6 t³.
-  retreat.pieces[0].coefficients.row(3) = Vec3(3.0, 0.0, 0.0);
-  retreat.pieces[0].coefficients.row(4) = Vec3(-1.5, 0.0, 0.0);
-  retreat.pieces[1] = make_stop_tail(state_at(retreat.pieces[0], 1.0), {}).piece;
-  const PlannedTrajectory stays = straight(kStart, Vec3::Zero(), 1.0);
-  CheckParams params;
-  params.target_distance_min_m = 0.7;
-  const CheckResult result = check(retreat, map, &walker, params);
-  EXPECT_TRUE(result.ok()) << to_string(result.reason) << " at " << result.failed_at_s;
-  EXPECT_LT(result.min_target_distance_m, 0.7);
-  EXPECT_EQ(check(stays, map, &walker, params).reason, PlanReason::kTooNearTarget);
+  const auto reason = [&](const Vec3& foot) {
+    const GapParams body;
+    BodyCourses courses;
+    MovingBody person;
+    person.position_enu_m = foot;
+    courses.add({person, 1.0, body.body_horizon_s});
+    const PlannedTrajectory trajectory = straight(kStart, kForward, 1.5);
+    const CheckInputs inputs{map, state_at(trajectory.pieces[0], 0.0), {}, &courses, &body};
+    return check_trajectory(trajectory, inputs, {}, {}).reason;
+  };
+  EXPECT_EQ(reason({3.0, 0.0, 0.0}), PlanReason::kTooNearTarget);
+  EXPECT_EQ(reason({2.5, 0.9, 0.0}), PlanReason::kTooNearTarget);
+  EXPECT_EQ(reason({2.5, 1.8, 0.0}), PlanReason::kOk);
 }
 
 }  // namespace

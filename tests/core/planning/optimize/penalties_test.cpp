@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/common/moving_body.hpp"
 #include "core/common/random.hpp"
 #include "core/planning/optimize/trajectory_cost.hpp"
 #include "tests/core/planning/random_problem.hpp"
@@ -39,9 +40,27 @@ TEST(Penalties, PointGradientsAgreeWithFiniteDifferences) {
     expect_gradient(p, [&](const Vec3& x, PointPenalty& sum) {
       add_distance_band(x, target, 1.5, 2.5, 2.0, sum);
     });
+    const Pillar pillar{target, random.uniform(0.1, 0.5), random.uniform(0.5, 2.0)};
+    expect_gradient(
+        p, [&](const Vec3& x, PointPenalty& sum) { add_gap(x, 0.25, pillar, 1.5, 2.0, sum); });
     expect_gradient(
         p, [&](const Vec3& x, PointPenalty& sum) { add_height_band(x, 0.4, 0.3, 5.0, sum); });
   }
+}
+
+TEST(Penalties, TheGapCostsWhatIsMissingOfItInSpace) {
+  Random random(2);
+  const Pillar pillar{{0.5, -0.5, 0.0}, 0.3, 1.75};
+  int inside = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p = random_point(random, 3.0);
+    const double missing_m = 1.0 - gap_m(p, 0.25, pillar.foot, pillar.radius_m, pillar.height_m);
+    PointPenalty sum;
+    add_gap(p, 0.25, pillar, 1.0, 2.0, sum);
+    EXPECT_NEAR(sum.value, missing_m > 0.0 ? 2.0 * std::pow(missing_m, 3) : 0.0, 2e-2);
+    inside += missing_m > 1.25;
+  }
+  EXPECT_GT(inside, 3);
 }
 
 TEST(Penalties, VisibilityCostsNothingInsideTheSectorAndSomethingOutside) {
@@ -119,7 +138,8 @@ void keep_only(OptimizerParams& p, double OptimizerParams::*weight) {
   for (auto other : {&OptimizerParams::time_weight, &OptimizerParams::corridor_weight,
                      &OptimizerParams::speed_weight, &OptimizerParams::acceleration_weight,
                      &OptimizerParams::visibility_weight, &OptimizerParams::next_visibility_weight,
-                     &OptimizerParams::distance_weight, &OptimizerParams::height_weight})
+                     &OptimizerParams::distance_weight, &OptimizerParams::height_weight,
+                     &OptimizerParams::gap_weight})
     if (other != weight) p.*other = 0.0;
 }
 
@@ -132,7 +152,8 @@ TEST_P(TrajectoryCostGradient, AgreesWithFiniteDifferences) {
   params.limit_fraction = 0.4;  // so that speed and acceleration are exceeded
   int active = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const OptimizationProblem problem = make_random_problem(seed, {.paths = 1 + int(seed) % 3});
+    const OptimizationProblem problem =
+        make_random_problem(seed, {.paths = 1 + int(seed) % 3, .bodies = true});
     TrajectoryCost cost;
     cost.prepare(problem, params);
     Random random(seed);
@@ -159,7 +180,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(nullptr, &OptimizerParams::time_weight, &OptimizerParams::corridor_weight,
                     &OptimizerParams::speed_weight, &OptimizerParams::acceleration_weight,
                     &OptimizerParams::visibility_weight, &OptimizerParams::next_visibility_weight,
-                    &OptimizerParams::distance_weight, &OptimizerParams::height_weight));
+                    &OptimizerParams::distance_weight, &OptimizerParams::height_weight,
+                    &OptimizerParams::gap_weight));
 
 }  // namespace
 }  // namespace foretrack

@@ -77,6 +77,20 @@ TEST_F(TargetBeliefTest, LeavesOutUnlikelyPathsAndKeepsProbabilitiesNormalised) 
   EXPECT_EQ(expected_.count, 1);
 }
 
+// A search that was cut short says less, not nothing.
+TEST_F(TargetBeliefTest, UsesAnIncompletePredictionAsFarAsItGoes) {
+  Prediction prediction = two_paths();
+  prediction.status = PredictionStatus::kSearchExhausted;
+  for (PredictedPath& path : prediction.paths) path.states.resize(5);
+  TargetState target;
+  target.stamp_s = 10.0;
+  target.velocity_enu_m_s = {0.0, -9.0, 0.0};
+  update_belief(belief_, target, &prediction, params_);
+  align(belief_, 10.0, params_, expected_);
+  EXPECT_NEAR(expected_.paths[0].positions_enu_m[4].x(), 2.0, 1e-9);
+  EXPECT_NEAR(expected_.paths[0].positions_enu_m[14].x(), 2.4, 1e-9);
+}
+
 TEST_F(TargetBeliefTest, WithoutAPredictionTheTargetGoesStraightOn) {
   TargetState target;
   target.stamp_s = 5.0;

@@ -70,7 +70,7 @@ class WaypointSearch : public ::testing::Test {
     const SearchContext context = c.context();
     path_.clear();
     begin_searches(state_, context, from);
-    return search_waypoint(state_, context, from, target, expansions_max, path_);
+    return search_waypoint(state_, context, from, target, 0.0, expansions_max, path_);
   }
   SearchState state_;
   std::vector<Vec3> path_;
@@ -171,9 +171,9 @@ TEST_F(WaypointSearch, StopsAtItsCountWhenTheTargetIsWalledIn) {
 TEST_F(WaypointSearch, HasNoWayFromOutsideItsWindow) {
   const FlatContext c(known_map(empty_world(), 0.15), kHeight_m);
   begin_searches(state_, c.context(), Vec3(0.0, 0.0, kHeight_m));
-  EXPECT_EQ(
-      search_waypoint(state_, c.context(), {500.0, 0.0, kHeight_m}, {0.0, 0.0, 1.0}, 100, path_),
-      WaypointKind::kNone);
+  EXPECT_EQ(search_waypoint(state_, c.context(), {500.0, 0.0, kHeight_m}, {0.0, 0.0, 1.0}, 0.0, 100,
+                            path_),
+            WaypointKind::kNone);
 }
 
 TEST(MapRays, SeesWhatTheCellTraversalSees) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/mapping/mapping_service.hpp"
 
+#include "services/convert/bodies.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
 #include "tests/services/onboard/neighbours.hpp"
@@ -54,6 +55,28 @@ TEST_F(MappingOnDds, MapsAWall) {
       [&] { feed(); }));
   EXPECT_EQ(map_.cell_at({1.0, 0.0, 1.5}), Cell::kFree);
   EXPECT_EQ(map_.cell_at({3.0, 0.0, 1.5}), Cell::kUnknown);
+}
+
+TEST_F(MappingOnDds, WhatAPersonCoversIsNoWallAndEveryImageSaysWhoMoves) {
+  Writer<topics::MovingBodies> bodies(neighbours_.node());
+  Reader<topics::BodySightings> sightings(neighbours_.node());
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        const auto* message = sightings.take_newest();
+        return maps() && map_.is_occupied({2.0, 1.0, 1.5}) &&
+               map_.cell_at({2.0, 0.0, 1.5}) != Cell::kOccupied && message && from_idl(*message);
+      },
+      [&] {
+        MovingBodies around;
+        around.stamp_s = neighbours_.now_s();
+        MovingBody person;
+        person.kind = BodyKind::kPerson;
+        person.position_enu_m = {2.0, 0.0, 0.0};
+        around.add(person);
+        to_idl(around, {}, bodies.sample());
+        bodies.write();
+        feed();
+      }));
 }
 
 TEST_F(MappingOnDds, GivesItsOctreeToWhoAsks) {

@@ -2,6 +2,7 @@
 #include "services/onboard/perception/perception_service.hpp"
 
 #include "core/simulator/landmark_camera.hpp"
+#include "services/convert/bodies.hpp"
 #include "services/convert/target.hpp"
 #include "tests/services/onboard/neighbours.hpp"
 
@@ -56,7 +57,7 @@ class PerceptionOnDds : public ::testing::Test {
   Writer<topics::TargetObservation> observation_{neighbours_.node()};
   Reader<topics::TargetState> target_{neighbours_.node()};
   Running service_{[](const ServiceOptions& options, Stop& stop) {
-    run_perception(options, PerceptionParams{}, stop);
+    run_perception(options, PerceptionParams{}, BodyParams{}, stop);
   }};
   TargetState newest_;
   int heard_ = 0;
@@ -90,6 +91,35 @@ TEST_F(PerceptionOnDds, WaitsForTheOdometryOfAnImage) {
                                   neighbours_.send_odometry();
                                 }));
   EXPECT_LT((newest_.position_enu_m - Vec3(3.0, 0.0, 1.0)).norm(), 0.5);
+}
+
+TEST_F(PerceptionOnDds, JoinsWhoIsSeenAroundWithThePersonWhoIsFollowed) {
+  Writer<topics::BodySightings> sightings(neighbours_.node());
+  Reader<topics::MovingBodies> reader(neighbours_.node());
+  const auto feed_both = [&] {
+    feed();
+    BodySightings seen;
+    seen.stamp_s = neighbours_.now_s();
+    seen.add({BodyKind::kPerson, {4.0, -2.0, 0.0}, 0.01 * Mat2::Identity(), 0.25, 1.6});
+    to_idl(seen, sightings.sample());
+    sightings.write();
+  };
+  MovingBodies bodies;
+  const auto hears_two = [&] {
+    const auto* message = reader.take_newest();
+    if (!message) return false;
+    const auto converted = from_idl(*message);
+    EXPECT_TRUE(converted) << converted.fault().text;
+    bodies = *converted;
+    return bodies.count == 2;
+  };
+  ASSERT_TRUE(neighbours_.until(hears_two, feed_both));
+  const MovingBody &person = bodies.bodies[0], &other = bodies.bodies[1];
+  EXPECT_TRUE(person.followed);
+  EXPECT_LT((person.position_enu_m - Vec3(3.0, 0.5, 1.0 - kTorsoShare * 1.75)).norm(), 0.2);
+  EXPECT_FALSE(other.followed);
+  EXPECT_LT((other.position_enu_m - Vec3(4.0, -2.0, 0.0)).norm(), 0.2);
+  EXPECT_NE(person.id, other.id);
 }
 
 TEST_F(PerceptionOnDds, RefusesGarbageAndGoesOn) {

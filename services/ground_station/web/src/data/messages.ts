@@ -68,6 +68,19 @@ export interface TargetPrediction {
   compute_ms: number;
 }
 
+export interface MovingBody {
+  id: number;
+  kind: number;
+  followed: boolean;
+  position_m: Vec3;
+  velocity_mps: Vec3;
+  radius_m: number;
+  height_m: number;
+  place_step_s: number;
+  places_m: Xyz[];
+}
+export interface MovingBodies { header: Header; bodies: MovingBody[] }
+
 export interface TrajectoryPiece {
   duration_s: number;
   coefficients: ArrayLike<Vec3>; // one row a power

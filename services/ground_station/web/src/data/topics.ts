@@ -10,6 +10,7 @@ const readings: Record<string, Reading> = {
   "target/observation": "slow",
   "target/intention": "newest",
   "target/prediction": "newest",
+  "bodies": "newest",
   "plan/trajectory": "newest",
   "safety/state": "all",
   "mission/command": "all",

@@ -51,6 +51,7 @@ function Legend({ session }: { session: Session }) {
         <li key={name}><i style={{ background: color }} />{spoken(name)}</li>
       ))}
       <li><i class="plan" />plan</li>
+      <li><i class="others" />others</li>
     </ul>
   );
 }

@@ -2,8 +2,8 @@
 // Of each message what the scene draws, in as few objects as can be: each of them, and above all
 // each small array of numbers, costs when it is handed to another thread.
 import type {
-  CameraModel, LocalMap, PlannedTrajectory, PointCloud2, Pose, TargetIntention, TargetPrediction,
-  Vec3,
+  CameraModel, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, TargetIntention,
+  TargetPrediction, Vec3,
 } from "../data/messages.ts";
 import { duration_s, samplePlan } from "../store/derive.ts";
 import type { Heard, Latest } from "../store/state.ts";
@@ -17,6 +17,15 @@ export interface Plan {
   regions: PlannedTrajectory["visible_regions"];
   corridor: PlannedTrajectory["corridor"];
 }
+export interface Body {
+  followed: boolean;
+  x: number;
+  y: number;
+  z: number; // of its lowest face
+  radius_m: number;
+  height_m: number;
+  expected: Float32Array; // where it will be, from where it is on
+}
 export interface Target { status: number; x: number; y: number; z: number; yaw_rad: number | null }
 
 /** Points are x, y, z triples. */
@@ -26,6 +35,7 @@ export interface Sketches {
   "target/observation": CameraModel;
   "target/intention": Pick<TargetIntention, "region_now" | "region_ahead">;
   "target/prediction": Path[];
+  "bodies": Body[];
   "plan/trajectory": Plan;
   "map/points": Omit<PointCloud2, "header">;
   "map/local": Omit<LocalMap, "header">;
@@ -41,6 +51,17 @@ type Maker<T extends Drawn> = (message: Latest[T]["message"], chosen: boolean) =
 function pathsOf({ paths }: TargetPrediction): Path[] {
   return paths.map(({ color_rgb, probability, states }) =>
     ({ color_rgb, probability, points: flat(states.map((s) => s.position_m)) }));
+}
+
+const ahead_s = 1.5; // that a velocity is drawn for
+
+function bodiesOf({ bodies }: MovingBodies): Body[] {
+  return bodies.map(({ followed, position_m, velocity_mps: v, radius_m, height_m, places_m }) => {
+    const [x, y, z] = [position_m[0]!, position_m[1]!, position_m[2]!];
+    const places = places_m.length > 0 ? places_m.map((p): Vec3 => [p.x, p.y, p.z])
+      : [[x + ahead_s * v[0]!, y + ahead_s * v[1]!, z]];
+    return { followed, x, y, z, radius_m, height_m, expected: flat([[x, y, z], ...places]) };
+  });
 }
 
 function planOf(plan: PlannedTrajectory, chosen: boolean): Plan {
@@ -66,6 +87,7 @@ const makers: { [T in Drawn]: Maker<T> } = {
   "target/observation": ({ camera }) => camera,
   "target/intention": ({ region_now, region_ahead }) => ({ region_now, region_ahead }),
   "target/prediction": pathsOf,
+  "bodies": bodiesOf,
   "plan/trajectory": planOf,
   "map/points": ({ height, width, fields, point_step, data }) =>
     ({ height, width, fields, point_step, data }),

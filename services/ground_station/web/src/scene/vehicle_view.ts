@@ -6,6 +6,7 @@ import { Track } from "../data/words.ts";
 import { age_s } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
 import { blue, colorOf, colorOfRgb, green, orange } from "../ui/palette.ts";
+import { Around } from "./around.ts";
 import { PersonBody, VehicleBody } from "./bodies.ts";
 import { polytopeEdges } from "./corridor.ts";
 import type { SeenVehicle } from "./known.ts";
@@ -40,10 +41,11 @@ export class VehicleView {
   private readonly details = new Group(); // of the chosen vehicle only
   private readonly body: VehicleBody;
   private readonly person = new PersonBody(orange);
+  private readonly around = new Around();
   private readonly trail: FadingLine;
   private readonly targetTrail = new FadingLine(900, orange);
   private readonly ribbons = new Ribbons(maxPaths + 1, ribbonPoints); // the paths, then the plan
-  private shown = { paths: false, plan: false };
+  private shown = { paths: false, plan: false, bodies: false };
   private readonly sectors = new Fans(4);
   private readonly regions = new Fans(64);
   private readonly corridor = new Segments(1500, stopColor, 0.5);
@@ -59,7 +61,7 @@ export class VehicleView {
     this.trail = new FadingLine(900, color);
     this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
     this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
-      this.ribbons.mesh, this.walls.mesh, this.details);
+      this.around.group, this.ribbons.mesh, this.walls.mesh, this.details);
   }
 
   /** All but the walls. */
@@ -76,8 +78,9 @@ export class VehicleView {
     this.drawTrails(vehicle);
     const fresh = (heard: { time_s: number } | undefined): boolean =>
       heard !== undefined && age_s({ now_s }, heard) < stale_s;
-    const { "target/prediction": prediction, "plan/trajectory": plan } = latest;
-    this.clearStale(fresh(prediction), fresh(plan));
+    const { "target/prediction": prediction, "plan/trajectory": plan, bodies } = latest;
+    this.clearStale(fresh(prediction), fresh(plan), fresh(bodies));
+    if (bodies && this.shown.bodies && this.isNew(bodies)) this.around.set(bodies.message);
     if (prediction && this.shown.paths && this.isNew(prediction))
       this.drawPaths(prediction.message);
     if (plan && this.shown.plan && this.isNew(plan)) this.drawPlan(plan.message);
@@ -102,11 +105,12 @@ export class VehicleView {
     return fresh;
   }
 
-  private clearStale(paths: boolean, plan: boolean): void {
+  private clearStale(paths: boolean, plan: boolean, bodies: boolean): void {
     if (this.shown.paths && !paths)
       for (let i = 0; i < maxPaths; i++) this.ribbons.clear(i);
     if (this.shown.plan && !plan) this.ribbons.clear(maxPaths);
-    this.shown = { paths, plan };
+    if (this.shown.bodies && !bodies) this.around.set([]);
+    this.shown = { paths, plan, bodies };
   }
 
   private drawTrails(vehicle: SeenVehicle): void {

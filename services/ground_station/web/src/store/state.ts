@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that the page knows, at one moment of one flight or recording.
 import type {
-  BatteryStatus, DiagnosticStatus, LocalMap, Odometry, PlannedTrajectory, PointCloud2, SafetyState,
-  ServiceHealth, TargetIntention, TargetObservation, TargetPrediction, TargetState,
+  BatteryStatus, DiagnosticStatus, LocalMap, MovingBodies, Odometry, PlannedTrajectory, PointCloud2,
+  SafetyState, ServiceHealth, TargetIntention, TargetObservation, TargetPrediction, TargetState,
 } from "../data/messages.ts";
 import type { StationStatus } from "../data/station.ts";
 import { Series, Trail } from "./series.ts";
@@ -15,6 +15,7 @@ export interface Latest {
   "target/observation": Heard<TargetObservation>;
   "target/intention": Heard<TargetIntention>;
   "target/prediction": Heard<TargetPrediction>;
+  "bodies": Heard<MovingBodies>;
   "plan/trajectory": Heard<PlannedTrajectory>;
   "safety/state": Heard<SafetyState>;
   "map/points": Heard<PointCloud2>;
