@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "diagnostic_msgs/msg/DiagnosticArray.h"
+#include "foretrack_msgs/msg/BodySightings.h"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MissionCommand.h"
+#include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "nav_msgs/msg/Path.h"
 #include "octomap_msgs/msg/Octomap.h"
