@@ -22,8 +22,10 @@ struct Look {
 
   bool images(const Vec3& point) const {
     const Vec3 in_camera = T_world_camera.inverse() * point;
+    if (in_camera.norm() > params.range_max_m) return false;
+    if (params.all_round) return true;
     const auto px = params.camera.project(in_camera);
-    return px && params.camera.contains(*px) && in_camera.norm() <= params.range_max_m;
+    return px && params.camera.contains(*px);
   }
   bool sees(const Vec3& point, std::size_t whose) const {
     const Vec3 eye = T_world_camera.translation();

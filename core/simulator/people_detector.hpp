@@ -16,6 +16,7 @@ namespace foretrack {
 /// Of the simulated detector of people.
 struct PeopleDetectorParams {
   CameraModel camera;
+  bool all_round = false;  // cameras on every side, where the one that follows looks ahead only
   double rate_hz = 10.0;
   double range_noise = 0.05;   // standard deviation, as a share of the distance
   double side_noise_m = 0.03;  // across the line of sight, at 4 m; grows with the distance

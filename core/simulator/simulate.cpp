@@ -77,7 +77,10 @@ std::vector<Person> bystanders_of(const Scenario& scenario, double ground_z_m) {
 
 PeopleDetectorParams detector_params_of(const Scenario& scenario) {
   const LandmarkCameraParams& camera = scenario.landmark_camera;
-  return {.camera = camera.camera, .delay_s = camera.delay_s, .range_max_m = camera.range_max_m};
+  return {.camera = camera.camera,
+          .all_round = scenario.people_all_round,
+          .delay_s = camera.delay_s,
+          .range_max_m = camera.range_max_m};
 }
 
 std::vector<Bystander> rendered(const Scenario& scenario, const std::vector<Person>& people,

@@ -177,7 +177,7 @@ std::function<int()> prepare_bench(CLI::App& app) {
   BenchRequest& q = o->request;
   app.add_option("NAME", o->names,
                  "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
-                 "encounters")
+                 "encounters, encounters_all_round")
       ->capture_default_str();
   app.add_option("--runs", q.runs, "seeds a world (real_tracks: pedestrians) instead of the usual")
       ->check(CLI::Range(1, 100000));

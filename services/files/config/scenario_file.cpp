@@ -152,6 +152,7 @@ void read_sensors(YamlReader& r, Scenario& s) {
   r.number("depth_rate_hz", s.depth_camera.rate_hz, 1.0, 100.0);
   r.number("depth_range_m", s.depth_camera.range_max_m, 0.5, 100.0);
   r.number("depth_dropout", s.depth_camera.dropout, 0.0, 1.0);
+  r.flag("people_all_round", s.people_all_round);
   r.flag("depth_images", s.depth_images);
   r.flag("color_images", s.color_images);
 }

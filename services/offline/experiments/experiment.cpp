@@ -30,11 +30,29 @@ std::vector<Condition> stress_conditions() {
   return all;
 }
 
-std::vector<Condition> encounter_conditions() {
+std::vector<Condition> encounter_conditions(bool all_round) {
   std::vector<Condition> all;
-  for (const auto kind : kEncounterKindNames)
+  for (const auto kind : kEncounterKindNames) {
     all.push_back({std::string(kind), {fmt::format("encounter={}", kind)}});
+    if (all_round) all.back().settings.emplace_back("sensors.people_all_round=true");
+  }
   return all;
+}
+
+Experiment encounters(std::string name, std::string summary, bool all_round) {
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .event = EventKind::kEncounter,
+          .worlds = {"encounter"},
+          .speeds_m_s = {0.5, 1.0, 1.5, 2.0, 3.0},
+          .conditions = encounter_conditions(all_round),
+          .duration_s = 12.0,
+          .runs = 20,
+          .quick_runs = 2,
+          .quick_duration_s = 10.0,
+          .quick_speeds_m_s = {1.5, 3.0},
+          .apart = true,
+          .first_seed = kFirstEncounterSeed};
 }
 
 }  // namespace
@@ -81,19 +99,9 @@ const std::vector<Experiment>& experiments() {
        .conditions = stress_conditions(),
        .runs = 1,
        .quick_duration_s = 10.0},
-      {.name = "encounters",
-       .summary = "people come near: head-on, turning back, stopping, crossing, in groups",
-       .event = EventKind::kEncounter,
-       .worlds = {"encounter"},
-       .speeds_m_s = {0.5, 1.0, 1.5, 2.0, 3.0},
-       .conditions = encounter_conditions(),
-       .duration_s = 12.0,
-       .runs = 20,
-       .quick_runs = 2,
-       .quick_duration_s = 10.0,
-       .quick_speeds_m_s = {1.5, 3.0},
-       .apart = true,
-       .first_seed = kFirstEncounterSeed}};
+      encounters("encounters",
+                 "people come near: head-on, turning back, stopping, crossing, in groups", false),
+      encounters("encounters_all_round", "the same, with bystanders detected on every side", true)};
   return all;
 }
 
