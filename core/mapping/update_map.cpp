@@ -116,11 +116,11 @@ struct Scan {
     return image.stamp_s - state.first_s - state.free_s[offset] <= params.mover_lately_s;
   }
 
-  // Beside a wall a cell may be seen free although the wall is in it; one of its neighbours is the
-  // wall's inside, which is never seen free.
+  // Beside a wall that is seen at a grazing angle, the cells of its face and those before them are
+  // seen free at times; but not its inside, which is two cells away at most.
   bool is_open_around(const Vec3i& cell) const {
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx)
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx)
         if (!is_open(cell + Vec3i(dx, dy, 0))) return false;
     return true;
   }
