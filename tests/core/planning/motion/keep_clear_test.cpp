@@ -59,7 +59,7 @@ TEST_F(KeepClear, WhoHoversIsNotClearOfSomebodyWhoWalksAtIt) {
   add({5.0, 0.0, 0.0}, {-1.0, 0.0, 0.0});
   EXPECT_TRUE(measure(hover).ok);
   courses_.count = 0;
-  add({3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0});
+  add({2.9, 0.0, 0.0}, {-1.0, 0.0, 0.0});
   EXPECT_FALSE(measure(hover).ok);
   EXPECT_GT(measure(hover).cost, measure(straight({0, 0, 1.2}, {-1, 0, 0})).cost);
 }
@@ -93,7 +93,7 @@ TEST_F(KeepClear, WhoHoversHasNoWayToStop) {
 
 TEST_F(KeepClear, TheRestOfATrajectoryIsMeasuredAtItsOwnTimes) {
   add({3.0, 0.0, 0.0}, Vec3::Zero());
-  const PlannedTrajectory away = straight({2.0, 0, 1.2}, {-2, 0, 0});
+  const PlannedTrajectory away = straight({2.1, 0, 1.2}, {-2, 0, 0});
   EXPECT_FALSE(measure(away).ok);
   EXPECT_TRUE(measure(away, 1.0).ok);
 }

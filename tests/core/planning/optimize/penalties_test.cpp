@@ -52,7 +52,7 @@ TEST(Penalties, TheGapCostsWhatIsMissingOfItInSpace) {
   Random random(2);
   const Pillar pillar{{0.5, -0.5, 0.0}, 0.3, 1.75};
   int inside = 0;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     const Vec3 p = random_point(random, 3.0);
     const double missing_m = 1.0 - gap_m(p, 0.25, pillar.foot, pillar.radius_m, pillar.height_m);
     PointPenalty sum;
