@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bench/prediction/passages.hpp"
+#include "bench/prediction/turn_backs.hpp"
 #include "core/common/random.hpp"
 #include "core/perception/target_filter.hpp"
 #include "core/simulator/person.hpp"
@@ -57,9 +58,12 @@ class Tracker {
 
 // The world cut down to a slice at the torso's height: prediction reads no more.
 Passages place_of(const SimulatedWalk& walk) {
+  constexpr std::ptrdiff_t kLastNodes = 5;
   Passages place;
   if (walk.in_passages) {
     place = generate_passages(walk.seed);
+    if (walk.returns_at_end)
+      place.route_m.erase(place.route_m.begin(), place.route_m.end() - kLastNodes);
   } else {
     const RouteRequest request{.seed = walk.seed, .length_m = walk.speed_m_s * walk.duration_s};
     place.world = generate_world({.kind = walk.kind, .seed = walk.seed});
@@ -69,30 +73,6 @@ Passages place_of(const SimulatedWalk& walk) {
   place.world.min_m.z() = kHeight_m - 2.0 * kMapResolution_m;
   place.world.max_m.z() = kHeight_m + 2.0 * kMapResolution_m;
   return place;
-}
-
-// Some legs are walked back part of the way, to the left or right of where they were walked, and
-// then on. Who turns back for no reason that shows does so anywhere; in passages also before a
-// bend.
-std::vector<Vec2> with_turn_backs(const std::vector<Vec2>& route, int count, Random& random) {
-  constexpr double kShortestLeg_m = 2.5, kLeastBack_m = 1.2, kAside_m = 0.08;
-  std::vector<std::size_t> legs;
-  for (std::size_t i = 0; i + 1 < route.size(); ++i)
-    if ((route[i + 1] - route[i]).norm() >= kShortestLeg_m) legs.push_back(i);
-  std::vector<bool> turns(route.size(), false);
-  for (int k = 0; k < count && !legs.empty(); ++k) turns[legs[random.next() % legs.size()]] = true;
-  std::vector<Vec2> walked;
-  for (std::size_t i = 0; i < route.size(); ++i) {
-    walked.push_back(route[i]);
-    if (!turns[i]) continue;
-    const Vec2 leg = route[i + 1] - route[i], along = leg.normalized();
-    const double there_m = random.uniform(0.7, 0.95) * leg.norm();
-    const double back_m = random.uniform(kLeastBack_m, there_m - 0.5);
-    const Vec2 aside = random.uniform(-kAside_m, kAside_m) * Vec2(-along.y(), along.x());
-    walked.push_back(route[i] + there_m * along);
-    walked.push_back(route[i] + (there_m - back_m) * along + aside);
-  }
-  return walked;
 }
 
 // Nobody knows a stranger's: 0.3 s, more or less.
@@ -108,6 +88,14 @@ PersonParams person_params(const SimulatedWalk& walk, Random& random) {
     params.stops.push_back(
         {(i + random.uniform(0.3, 0.8)) * walk.duration_s / walk.stops, random.uniform(1.0, 3.0)});
   return params;
+}
+
+// Along the route, with turns back if that is asked for.
+ReturningWalk way_of(const SimulatedWalk& walk, const std::vector<Vec2>& route_m, Random& random) {
+  if (!walk.returns_at_end && walk.return_every_m <= 0.0)
+    return {walk_along(route_m, {.speed_m_s = walk.speed_m_s}), {}};
+  return walk_and_return(
+      route_m, {walk.speed_m_s, walk.duration_s, walk.return_every_m, walk.returns_at_end}, random);
 }
 
 std::string text_of_file(const std::string& path) {
@@ -173,10 +161,11 @@ Episode simulate_walk(const SimulatedWalk& walk) {
   const Passages place = place_of(walk);
   episode.map = known_map(place.world, kMapResolution_m);
   Random random(walk.seed);
-  const PersonParams person = person_params(walk, random);
-  const std::vector<Vec2> route_m = with_turn_backs(place.route_m, walk.turn_backs, random);
-  walk_and_watch(make_person(person, walk_along(route_m, {.speed_m_s = walk.speed_m_s}), 0.0),
-                 walk.seed, walk.duration_s, episode);
+  PersonParams person = person_params(walk, random);
+  ReturningWalk way = way_of(walk, place.route_m, random);
+  person.backward = std::move(way.backward);
+  walk_and_watch(make_person(person, std::move(way.walk), 0.0), walk.seed, walk.duration_s,
+                 episode);
   return episode;
 }
 
@@ -218,10 +207,12 @@ std::vector<SimulatedWalk> returning_walks(std::uint64_t first_seed, int rounds)
   std::vector<SimulatedWalk> walks;
   std::uint64_t seed = first_seed;
   for (int round = 0; round < rounds; ++round)
-    for (const double speed : {1.0, 1.5, 2.0})
-      for (const int turn_backs : {2, 5})
+    for (const double speed : {1.0, 1.5, 2.0}) {
+      for (const double every_m : {12.0, 30.0})
         for (const bool in_passages : {true, false})
-          walks.push_back({in_passages, WorldKind::kWalls, seed++, speed, 0, turn_backs});
+          walks.push_back({in_passages, WorldKind::kWalls, seed++, speed, 0, every_m});
+      walks.push_back({true, WorldKind::kWalls, seed++, speed, 0, 0.0, true});
+    }
   return walks;
 }
 

@@ -34,8 +34,9 @@ struct SimulatedWalk {
   WorldKind kind = WorldKind::kEmpty;
   std::uint64_t seed = 1;
   double speed_m_s = 1.5;
-  int stops = 0;       // sudden ones, without a cause in the surroundings
-  int turn_backs = 0;  // times at which they turn round, and some metres later round again
+  int stops = 0;                // sudden ones, without a cause in the surroundings
+  double return_every_m = 0.0;  // turns round so often, and some metres later again; 0: never
+  bool returns_at_end = false;  // goes to and fro before the end of a passage
   double duration_s = 60.0;
 };
 
@@ -49,7 +50,8 @@ std::vector<SimulatedWalk> turning_walks(std::uint64_t first_seed, int rounds);
 /// Walks in open worlds with a sudden stop every few seconds, `rounds` times.
 std::vector<SimulatedWalk> stopping_walks(std::uint64_t first_seed, int rounds);
 
-/// Passages and open worlds in which who walks turns back now and then, `rounds` times.
+/// Passages and open worlds in which who walks turns back now and then, in several manners, and
+/// ends of passages, some of them dead ends, at which they always do; `rounds` times.
 std::vector<SimulatedWalk> returning_walks(std::uint64_t first_seed, int rounds);
 
 /// Recorded pedestrians of a file in OpenTraj's format, on free ground; the chest, which was not

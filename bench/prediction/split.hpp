@@ -10,10 +10,10 @@ inline std::vector<SimulatedWalk> fitting_turns() {
   return turning_walks(1, 8);
 }
 inline std::vector<SimulatedWalk> fitting_stops() {
-  return stopping_walks(50001, 2);
+  return stopping_walks(50001, 3);
 }
 inline std::vector<SimulatedWalk> fitting_returns() {
-  return returning_walks(70001, 6);
+  return returning_walks(70001, 3);
 }
 inline std::vector<SimulatedWalk> held_out_turns() {
   return turning_walks(100001, 4);

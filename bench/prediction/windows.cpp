@@ -10,7 +10,8 @@ namespace foretrack::bench {
 namespace {
 
 // Of what is believed: who has just stopped but still seems to walk, for a filter is late, is one
-// whose speed halves. The truth alone would teach that nothing follows the signs of a stop.
+// whose speed halves, or who turns back. The truth alone would teach that nothing follows the signs
+// of a stop.
 std::optional<Intention> label_of(const Truth& truth, int i, const TargetState& target) {
   constexpr double kLate_s = 0.4, kWalking_m_s = 0.3;
   if (const auto label = label_at(truth, i)) return label;
@@ -19,7 +20,8 @@ std::optional<Intention> label_of(const Truth& truth, int i, const TargetState& 
   const bool just_stopped = i + truth.steps(1.0) < truth.count() && speed_m_s < kWalking_m_s &&
                             truth.samples[before].speed_m_s() > 2.0 * kWalking_m_s;
   if (!just_stopped || target.speed_m_s() < 2.0 * speed_m_s) return std::nullopt;
-  return Intention::kDecelerate;
+  const bool to_turn_back = label_at(truth, before) == Intention::kTurnBack;
+  return to_turn_back ? Intention::kTurnBack : Intention::kDecelerate;
 }
 
 Window window_of(const IntentionEvidence& evidence, const IntentionAssessment& assessment,

@@ -23,24 +23,17 @@ MovingBody body_of(const BodyTrack& track) {
   return body;
 }
 
-// Places along the path from where the body is now, as far as the path goes.
+// Where the path has the person from now on, as far as it goes.
 void set_places(MovingBody& body, const Prediction& prediction) {
-  if (prediction.paths.empty()) return;
-  double from_s = body.stamp_s - prediction.stamp_s;
-  if (std::abs(from_s) > kPredictionStale_s) return;
-  const double start_s = from_s;
-  Vec2 from_m = body.position_enu_m.head<2>();
-  for (const PredictedState& state : prediction.paths.front().states) {
-    if (state.time_s <= from_s) continue;
-    const Vec2 to_m = state.position_enu_m.head<2>();
-    while (body.place_count < MovingBody::kMaxPlaces) {
-      const double time_s = start_s + (body.place_count + 1) * body.step_s;
-      if (time_s > state.time_s + 1e-9) break;
-      const Vec2 place_m = from_m + (time_s - from_s) / (state.time_s - from_s) * (to_m - from_m);
-      body.places_enu_m[body.place_count++] << place_m, body.position_enu_m.z();
-    }
-    from_s = state.time_s;
-    from_m = to_m;
+  if (prediction.paths.empty() || prediction.paths.front().states.empty()) return;
+  const double now_s = body.stamp_s - prediction.stamp_s;  // of the path
+  if (std::abs(now_s) > kPredictionStale_s) return;
+  const PredictedPath& path = prediction.paths.front();
+  const auto ahead_s = [&] { return (body.place_count + 1) * body.step_s; };
+  while (body.place_count < MovingBody::kMaxPlaces &&
+         now_s + ahead_s() <= path.states.back().time_s + 1e-9) {
+    const Vec3 place_m = path.at(now_s + ahead_s()).position_enu_m;
+    body.places_enu_m[body.place_count++] << place_m.head<2>(), body.position_enu_m.z();
   }
 }
 

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "core/common/white_acceleration.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -69,13 +71,8 @@ void predict_track(BodyTrack& track, double stamp_s, const BodyParams& params) {
   track.stamp_s = stamp_s;
   track.mean = (transition * track.mean).eval();
   track.covariance = (transition * track.covariance * transition.transpose()).eval();
-  const double q = params.acceleration_density_m2_s3;
-  for (int a = 0; a < 2; ++a) {
-    track.covariance(a, a) += q * dt * dt * dt / 3.0;
-    track.covariance(a, a + 2) += q * dt * dt / 2.0;
-    track.covariance(a + 2, a) += q * dt * dt / 2.0;
-    track.covariance(a + 2, a + 2) += q * dt;
-  }
+  add_white_acceleration<2>(track.covariance, Vec2::Constant(params.acceleration_density_m2_s3),
+                            dt);
 }
 
 Match match(const BodyTrack& track, const BodySighting& seen, double stamp_s) {

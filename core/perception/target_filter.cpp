@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "core/common/white_acceleration.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -84,12 +86,7 @@ TargetEstimate predict_estimate(const TargetEstimate& estimate, double stamp_s,
   e.covariance = transition * estimate.covariance * transition.transpose();
   const double horizontal = horizontal_density(estimate, params);
   const Vec3 density(horizontal, horizontal, params.vertical_density_m2_s3);
-  for (int a = 0; a < 3; ++a) {
-    e.covariance(a, a) += density[a] * dt * dt * dt / 3.0;
-    e.covariance(a, a + 3) += density[a] * dt * dt / 2.0;
-    e.covariance(a + 3, a) += density[a] * dt * dt / 2.0;
-    e.covariance(a + 3, a + 3) += density[a] * dt;
-  }
+  add_white_acceleration<3>(e.covariance, density, dt);
   e.yaw_variance_rad2 += params.yaw_density_rad2_s * dt;
   return e;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/common/white_acceleration.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -30,11 +32,9 @@ Mat4 grown(const Mat4& covariance, const MotionJacobian& j, double dt_s, double 
   Mat4 f = Mat4::Identity();
   f.topRightCorner<2, 2>() = j.position_by_velocity;
   f.bottomRightCorner<2, 2>() = j.velocity_by_velocity;
-  Mat4 noise;
-  noise << Mat2::Identity() * (q * dt_s * dt_s * dt_s / 3.0),
-      Mat2::Identity() * (q * dt_s * dt_s / 2.0), Mat2::Identity() * (q * dt_s * dt_s / 2.0),
-      Mat2::Identity() * (q * dt_s);
-  return f * covariance * f.transpose() + noise;
+  Mat4 after = f * covariance * f.transpose();
+  add_white_acceleration<2>(after, Vec2::Constant(q), dt_s);
+  return after;
 }
 
 PredictedPath& start_path(PredictionState& state, const IntentionRow& row) {

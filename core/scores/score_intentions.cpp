@@ -95,7 +95,7 @@ double square(double x) {
 }  // namespace
 
 void IntentionScorer::add(const Moments& said, const Truth& truth) {
-  Moments walking, stopping;  // the latter with what is said just after, when a stop is noticed
+  Moments walking, stopping;  // the latter with what is said just after they stand
   double next_window_s = 0.0;
   for (const SaidIntention& m : said) {
     if (!truth.knows(m.time_s)) continue;
@@ -116,8 +116,8 @@ void IntentionScorer::add(const Moments& said, const Truth& truth) {
       [](const Probabilities& p) { return p[kLeft] + p[kRight]; }, either_turn_);
   judge(walking, events, Intention::kTurnLeft, turns_);
   judge(walking, events, Intention::kTurnRight, turns_);
-  judge(walking, events, Intention::kTurnBack, turn_backs_);
-  judge(walking, events, Intention::kDecelerate, stops_);
+  judge(stopping, events, Intention::kTurnBack, turn_backs_);
+  judge(stopping, events, Intention::kDecelerate, stops_);
 }
 
 IntentionScorer& IntentionScorer::operator+=(const IntentionScorer& o) {

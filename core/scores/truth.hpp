@@ -12,7 +12,6 @@
 namespace foretrack {
 
 /// Where the target really was, and how it moved.
-/// Where the target really was, and how it moved.
 struct TruthSample {
   Vec2 position_m = Vec2::Zero();
   Vec2 velocity_m_s = Vec2::Zero();

@@ -15,6 +15,12 @@ bool wants_to_stand(const PersonParams& params, double now_s) {
   });
 }
 
+bool walks_backwards(const PersonParams& params, double walked_s) {
+  return std::ranges::any_of(params.backward, [&](const BackwardSteps& steps) {
+    return walked_s >= steps.from_s && walked_s < steps.to_s;
+  });
+}
+
 // Pace changes at the acceleration limit, and only where the walk itself does not accelerate: both
 // together would exceed the limit.
 void update_pace(Person& person, const WalkPoint& here, double dt_s) {
@@ -26,11 +32,14 @@ void update_pace(Person& person, const WalkPoint& here, double dt_s) {
 }
 
 void turn_shoulders(Person& person, double dt_s) {
-  const WalkPoint ahead = person.walk.at(person.walked_s + person.params.shoulder_lead_s);
-  if (ahead.velocity_m_s.norm() < kHeadingSpeed_m_s) return;
+  const double ahead_s = person.walked_s + person.params.shoulder_lead_s;
+  const Vec2 velocity_m_s = person.walk.at(ahead_s).velocity_m_s;
+  if (velocity_m_s.norm() < kHeadingSpeed_m_s) return;
+  const double back_rad = walks_backwards(person.params, ahead_s) ? kPi : 0.0;
   const double step = person.params.yaw_rate_rad_s * dt_s;
   double& yaw = person.state.body_yaw_rad;
-  yaw = wrap_angle(yaw + std::clamp(wrap_angle(yaw_of(ahead.velocity_m_s) - yaw), -step, step));
+  yaw =
+      wrap_angle(yaw + std::clamp(wrap_angle(yaw_of(velocity_m_s) + back_rad - yaw), -step, step));
 }
 
 }  // namespace

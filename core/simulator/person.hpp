@@ -15,6 +15,12 @@ struct StandStill {
   double for_s = 1.0;
 };
 
+/// The person walks backwards in this time of the walk: the chest points where they come from.
+struct BackwardSteps {
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+
 /// How a person moves along a walk.
 struct PersonParams {
   double height_m = 1.75;
@@ -23,6 +29,7 @@ struct PersonParams {
   double yaw_rate_rad_s = 5.0;     ///< greatest of the chest
   double start_s = 1.5;            ///< the person stands until then
   std::vector<StandStill> stops;
+  std::vector<BackwardSteps> backward;
 };
 
 /// A person on their walk.

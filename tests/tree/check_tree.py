@@ -4,6 +4,7 @@
 
     check_tree.py layers     who may include whom
     check_tree.py names      a .cpp has the header that it implements beside it
+    check_tree.py mirrors    a .cpp of core that decides something has a test of its name
     check_tree.py licences   every source says its licence first
     check_tree.py documents  every file that the documents name exists
     check_tree.py lengths    functions: 95 of 100 have at most 25 lines, none more than 90
@@ -33,6 +34,9 @@ DDS = ("fastdds/", "fastrtps/", "fastcdr/")
 # program writes; who reads them declares them.
 HEADERLESS = re.compile(r"services/cli/\w+_commands?\.cpp|.*/main\.cpp"
                         r"|core/prediction/(intentions/)?\w+_weights\.cpp")
+
+# What decides nothing: fitted numbers, and memory that is taken beforehand.
+TESTLESS = re.compile(r"core/prediction/(intentions/)?\w+_weights\.cpp|core/planning/planning_state\.cpp")
 
 MADE = {"core/version.hpp"}  # by the build
 
@@ -86,6 +90,13 @@ def names():
     for name in files("core/**/*.cpp", "services/**/*.cpp"):
         if not HEADERLESS.fullmatch(name) and not (ROOT / name).with_suffix(".hpp").exists():
             yield f"{name}: has no header of its name; its content belongs where it is declared"
+
+
+def mirrors():
+    for name in files("core/**/*.cpp"):
+        test = "tests/" + name.removesuffix(".cpp") + "_test.cpp"
+        if not TESTLESS.fullmatch(name) and not (ROOT / test).exists():
+            yield f"{name}: has no {test}"
 
 
 def licences():
@@ -147,7 +158,7 @@ def lengths():
             yield f"{place}: a function of {length} lines"
 
 
-RULES = {rule.__name__: rule for rule in (layers, names, licences, documents, lengths)}
+RULES = {rule.__name__: rule for rule in (layers, names, mirrors, licences, documents, lengths)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in RULES:

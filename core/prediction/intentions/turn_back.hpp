@@ -21,7 +21,8 @@ inline double closed_ahead(const ReachableRegion& ahead) {
   return 1.0 - std::min(1.0, widest / (kPi / 4.0));
 }
 
-// Neither side counts more than the other: whichever way round the chest turns.
+/// Features of how the target moves and turns. Neither side counts more than the other: whichever
+/// way round the chest turns.
 inline void add_turn_back_motion(FeatureVector& out, const FeatureInputs& in) {
   const MotionCues& motion = in.evidence.motion;
   const double body = std::abs(motion.body_turn_rad),
@@ -48,6 +49,7 @@ inline void add_turn_back_motion(FeatureVector& out, const FeatureInputs& in) {
   out.add(motion.manoeuvre);
 }
 
+/// Features of how fast the target is and was, and of what it did before.
 inline void add_turn_back_pace(FeatureVector& out, const MotionCues& motion) {
   const double swing = std::abs(motion.body_swing_rad.back());
   const double speed = motion.measured.velocity_m_s.norm();
@@ -64,6 +66,7 @@ inline void add_turn_back_pace(FeatureVector& out, const MotionCues& motion) {
   out.add(std::exp(-motion.straight_s / 3.0));
 }
 
+/// The features of turning back.
 inline void write_turn_back(const FeatureInputs& in, FeatureVector& out) {
   const MotionCues& motion = in.evidence.motion;
   const Surroundings& surroundings = in.evidence.surroundings;

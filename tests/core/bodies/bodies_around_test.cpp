@@ -57,6 +57,20 @@ TEST(BodiesAround, FollowedPersonIsExpectedAlongTheMostProbablePath) {
   }
 }
 
+TEST(BodiesAround, PlacesAreThoseOfThePathAlsoBetweenItsStates) {
+  TargetState target = walking_target();
+  target.position_enu_m.y() += 0.2;  // beside its path, as a filter may be
+  const Prediction prediction = turning();
+  const MovingBody body = followed_body({target, &prediction, 1.75}, 10.03, {});
+  ASSERT_EQ(body.place_count, 14);
+  for (int k = 0; k < body.place_count; ++k) {
+    const double on_path_s = 10.03 - 9.9 + (k + 1) * body.step_s;
+    const Vec3 expected = prediction.paths[0].at(on_path_s).position_enu_m;
+    EXPECT_LT((body.places_enu_m[k] - expected).head<2>().norm(), 1e-9) << k;
+    EXPECT_EQ(body.places_enu_m[k].z(), body.position_enu_m.z());
+  }
+}
+
 TEST(BodiesAround, APredictionThatIsOldOrEmptyIsNotUsed) {
   const TargetState target = walking_target();
   Prediction prediction = turning();

@@ -285,10 +285,5 @@ TEST(TrackBodies, AllocatesNothing) {
   EXPECT_EQ(bodies.count, 16);
 }
 
-TEST(BodyParams, DefaultsAreValid) {
-  BodyParams params;
-  EXPECT_TRUE(faults_of(rows(params)).empty());
-}
-
 }  // namespace
 }  // namespace foretrack

@@ -267,11 +267,6 @@ TEST(Predict, GivesTheSameResultForTheSameInput) {
   }
 }
 
-TEST(PredictionParams, AreValidByDefault) {
-  PredictionParams params;
-  EXPECT_NO_THROW(validate_or_throw("prediction", rows(params)));
-}
-
 TEST(Predict, WithoutIntentionsGoesStraightUnlessBlocked) {
   PredictionParams params;
   params.intention_paths = false;

@@ -118,32 +118,5 @@ TEST(ShortTermMotion, TurnsAndMirrorsWithTheWalk) {
   EXPECT_LT((turn * left.now.position_m - turned.now.position_m).norm(), 1e-9);
 }
 
-TEST(MotionHistory, StartsAnewAfterAGapOrAStepBackInTime) {
-  for (const double next_s : {0.5, 9.0}) {
-    MotionHistory history;
-    for (int i = 0; i < 50; ++i) remember(history, {1.0 + 0.04 * i, {}, 0.0});
-    EXPECT_EQ(history.count, 50);
-    remember(history, {next_s, {}, 0.0});
-    EXPECT_EQ(history.count, 1);
-    EXPECT_EQ(history.before(next_s, 0.6).stamp_s, next_s);
-  }
-}
-
-TEST(MotionHistory, StartsAnewWhereTheTrackJumps) {
-  MotionHistory history;
-  PlanarState state{{0.0, 0.0}, {1.5, 0.0}};
-  for (int i = 0; i < 50; ++i) {
-    remember(history, {1.0 + 0.04 * i, state, 0.0});
-    state = advance(MotionModel::constant_velocity(), state, 0.04);
-  }
-  EXPECT_EQ(history.count, 50);
-  state.position_m.y() += 0.2;  // a filter may correct itself
-  remember(history, {3.0, state, 0.0});
-  EXPECT_EQ(history.count, 51);
-  state.position_m.y() += 1.5;
-  remember(history, {3.04, state, 0.0});
-  EXPECT_EQ(history.count, 1);
-}
-
 }  // namespace
 }  // namespace foretrack

@@ -41,6 +41,25 @@ TEST(Person, StopsSuddenlyWithinTheAccelerationLimitAndWalksOn) {
   EXPECT_NEAR(person.state.velocity_enu_m_s.x(), 2.0, 1e-9);
 }
 
+TEST(Person, WhoStepsBackKeepsTheChestWhereItWas) {
+  const std::vector<Vec2> there_and_back = {{0, 0}, {4, 0}, {0, 0}};
+  const Walk walk = walk_along(there_and_back, {});
+  const double reversed_s = 0.5 * walk.duration_s();
+  PersonParams params;
+  params.backward = {{reversed_s, reversed_s + 1.0}};
+  Person person = walker(there_and_back, params);
+  double turned_rad = 0.0, back_m_s = 0.0;
+  while (person.walked_s < reversed_s + 0.6) {
+    advance(person, kStep_s);
+    turned_rad = std::max(turned_rad, std::abs(person.state.body_yaw_rad));
+    back_m_s = std::min(back_m_s, person.state.velocity_enu_m_s.x());
+  }
+  EXPECT_LT(turned_rad, rad(20.0));
+  EXPECT_LT(back_m_s, -1.0);
+  while (person.walked_s < reversed_s + 1.6) advance(person, kStep_s);
+  EXPECT_NEAR(std::abs(person.state.body_yaw_rad), kPi, rad(5.0)) << "then they turn round";
+}
+
 TEST(Person, ShouldersTurnTheLeadBeforeThePath) {
   for (const double lead_s : {0.0, 0.3, 0.5}) {
     PersonParams params;

@@ -5,8 +5,6 @@
 
 #include <limits>
 
-#include "core/planning/optimize/duration_map.hpp"
-
 namespace foretrack {
 namespace {
 
@@ -106,26 +104,6 @@ TEST(Lbfgs, NeverExceedsItsCounts) {
     EXPECT_EQ(report.status, LbfgsStatus::kCountReached);
     EXPECT_EQ(report.cost, cost.evaluate(x, unused));
     EXPECT_LE(report.cost, report.initial_cost);
-  }
-}
-
-TEST(DurationMap, KeepsTheLeastTotalAndInverts) {
-  const DurationMap map{3.0};
-  const std::array<double, 4> durations{0.5, 1.5, 0.8, 1.2};
-  std::array<double, 5> variables;
-  std::array<double, 4> back;
-  map.to_variables(durations, variables);
-  map.to_durations(variables, back);
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(back[i], durations[i], 1e-12);
-  for (const double far : {-1e6, -10.0, 0.0, 10.0}) {
-    variables = {far, 3.0, -2.0, 0.5, far};
-    map.to_durations(variables, back);
-    double total = 0.0;
-    for (const double t : back) {
-      EXPECT_GT(t, 0.0);
-      total += t;
-    }
-    EXPECT_GT(total, 3.0 - 1e-9);
   }
 }
 

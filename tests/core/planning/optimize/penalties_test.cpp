@@ -134,54 +134,5 @@ TEST(Penalties, PiecePenaltyIsTheTrapezoidSum) {
   }
 }
 
-void keep_only(OptimizerParams& p, double OptimizerParams::*weight) {
-  for (auto other : {&OptimizerParams::time_weight, &OptimizerParams::corridor_weight,
-                     &OptimizerParams::speed_weight, &OptimizerParams::acceleration_weight,
-                     &OptimizerParams::visibility_weight, &OptimizerParams::next_visibility_weight,
-                     &OptimizerParams::distance_weight, &OptimizerParams::height_weight,
-                     &OptimizerParams::gap_weight})
-    if (other != weight) p.*other = 0.0;
-}
-
-/// The whole cost's gradient by waypoints and by the durations' variables.
-class TrajectoryCostGradient : public testing::TestWithParam<double OptimizerParams::*> {};
-
-TEST_P(TrajectoryCostGradient, AgreesWithFiniteDifferences) {
-  OptimizerParams params;
-  if (GetParam()) keep_only(params, GetParam());
-  params.limit_fraction = 0.4;  // so that speed and acceleration are exceeded
-  int active = 0;
-  for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const OptimizationProblem problem =
-        make_random_problem(seed, {.paths = 1 + int(seed) % 3, .bodies = true});
-    TrajectoryCost cost;
-    cost.prepare(problem, params);
-    Random random(seed);
-    Variables x = cost.first_guess(), gradient(x.size()), unused(x.size());
-    for (double& value : x) value += random.normal(0.0, 0.15);
-    cost.evaluate(x, gradient);
-    for (int i = 0; i < x.size(); ++i) {
-      const double step = 1e-6, middle = x[i];
-      x[i] = middle + step;
-      const double above = cost.evaluate(x, unused);
-      x[i] = middle - step;
-      const double below = cost.evaluate(x, unused);
-      x[i] = middle;
-      const double expected = (above - below) / (2.0 * step);
-      active += std::abs(expected) > 1.0;
-      EXPECT_NEAR(gradient[i], expected, 2e-5 * (gradient.norm() + 1.0)) << seed << " " << i;
-    }
-  }
-  EXPECT_GT(active, 5);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    EachTerm, TrajectoryCostGradient,
-    testing::Values(nullptr, &OptimizerParams::time_weight, &OptimizerParams::corridor_weight,
-                    &OptimizerParams::speed_weight, &OptimizerParams::acceleration_weight,
-                    &OptimizerParams::visibility_weight, &OptimizerParams::next_visibility_weight,
-                    &OptimizerParams::distance_weight, &OptimizerParams::height_weight,
-                    &OptimizerParams::gap_weight));
-
 }  // namespace
 }  // namespace foretrack

@@ -176,39 +176,5 @@ TEST_F(WaypointSearch, HasNoWayFromOutsideItsWindow) {
             WaypointKind::kNone);
 }
 
-TEST(MapRays, SeesWhatTheCellTraversalSees) {
-  int disagree = 0, rays = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const GridMap map = known_map(forest(seed, 40), 0.15);
-    Random random(seed);
-    const auto place = [&] {
-      return Vec3(random.uniform(-7, 7), random.uniform(-7, 7), random.uniform(0.5, 2.5));
-    };
-    for (int i = 0; i < 400; ++i, ++rays) {
-      const Vec3 a = place(), b = place();
-      const bool exact = line_of_sight(map, a, b), fast = sees(map, a, b, 0.0);
-      disagree += exact != fast;
-      EXPECT_TRUE(fast || !exact) << "blocked although no cell lies on the segment";
-    }
-  }
-  EXPECT_LT(disagree, rays / 50);  // corners that are cut by less than half a cell
-}
-
-TEST(MapRays, ClearMeansThatEveryPointKeepsTheDistance) {
-  const GridMap map = known_map(forest(3, 30), 0.15);
-  Random random(3);
-  int clear = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3 a(random.uniform(-7, 7), random.uniform(-7, 7), 1.5);
-    const Vec3 b =
-        a + Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-0.5, 0.5));
-    if (!is_clear(map, a, b, 0.4)) continue;
-    ++clear;
-    for (double part = 0.0; part <= 1.0; part += 0.002)
-      ASSERT_GE(map.unfree_distance_m(a + part * (b - a)), 0.4);
-  }
-  EXPECT_GT(clear, 100);
-}
-
 }  // namespace
 }  // namespace foretrack
