@@ -13,12 +13,25 @@ struct MemoryWriting {
   std::uint64_t failed_revision = 0;                   // the newest that could not be
 };
 
-/// What is known of the last order, and what it may have to be undone to.
+/// What acts already and is not yet written: one order, or several that came in a row.
+struct UnwrittenOrders {
+  bool any = false;
+  MissionCommand newest;
+  std::uint64_t revision = 0;  // of the memory with all of them
+  // What must be undone if they cannot be written, and to what.
+  bool phase = false, lease = false, bounds = false;
+  MissionLease lease_before;
+  FlightBounds bounds_before;
+};
+
+/// The last order that was answered, and those that wait. An answer does not forget what waits: an
+/// order that is refused meanwhile is answered at once, and the one that waits when it is settled.
 struct OrderState {
   MissionCommand last;
   MissionResult result = MissionResult::kNone;
-  std::uint64_t revision = 0;  // while pending: of the memory with it
-  Mission before;
+  MissionLease lease_before;  // the last order
+  FlightBounds bounds_before;
+  UnwrittenOrders unwritten;
 };
 
 /// Judges and applies the command.
@@ -26,10 +39,12 @@ void take_order(OrderState& state, Mission& mission, CarryOut& carrying,
                 const MissionCommand& command, const Moment& moment, const AutopilotStatus& status,
                 const MissionRules& rules);
 
-/// After the memory was updated with the order: it waits to be written, if it is news.
+/// After the memory was updated with the order: it waits to be written, if it is news, or if what
+/// it repeats waits.
 void await_writing(OrderState& state, const GateMemory& memory, bool is_news);
 
-/// Confirms what waits, or undoes it. Stop, hold, return, land and release stand in any case.
+/// Confirms what waits, or undoes all of it. Stop, hold, return, land and release stand in any
+/// case.
 void settle_order(OrderState& state, Mission& mission, CarryOut& carrying,
                   const MemoryWriting& writing);
 
