@@ -79,9 +79,7 @@ void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
     s.refusal = PlanFault::kNone;
     if (!plan.pieces.empty() && !is_flown_or_waits(s, plan.id)) {
       Situation now = situation_of(s, in, p);
-      const bool after_next =
-          s.has_next && plan.start_s - in.stamp_now_s + in.now_s >= s.next.start_s;
-      if (after_next)
+      if (s.has_next)  // a plan that starts before it is out of order
         now.flown = &s.next;
       else if (s.has_flown && s.mode != SafetyMode::kBrake)
         now.flown = &s.flown;
@@ -188,10 +186,11 @@ Setpoint sample(const PlannedTrajectory& plan, const GateInput& in, double respo
           .yaw_rate_rad_s = yaw.rate_rad_s};
 }
 
-Setpoint stand_still(const GateState& s, double stamp_s, bool brake) {
+// Where it brakes there is no place to hold.
+Setpoint stand_still(const GateState& s, double stamp_s) {
   Setpoint out;
   out.stamp_s = stamp_s;
-  out.position_enu_m = brake || !s.hover_enu_m ? Vec3::Constant(kNaN) : *s.hover_enu_m;
+  out.position_enu_m = s.hover_enu_m.value_or(Vec3::Constant(kNaN));
   out.acceleration_enu_m_s2 = out.jerk_enu_m_s3 = Vec3::Constant(kNaN);
   out.yaw_rad = s.hover_yaw_rad;
   return out;
@@ -223,8 +222,7 @@ void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyPar
   s.heartbeat_since_s = r.heartbeat ? std::min(s.heartbeat_since_s, in.now_s) : 1e18;
   const bool flies = rung.mode == SafetyMode::kTrack || rung.mode == SafetyMode::kCoast;
   if (r.heartbeat && in.autopilot.offboard)
-    r.setpoint = flies ? sample(s.flown, in, p.response_s)
-                       : stand_still(s, in.stamp_now_s, rung.mode == SafetyMode::kBrake);
+    r.setpoint = flies ? sample(s.flown, in, p.response_s) : stand_still(s, in.stamp_now_s);
   else if (r.heartbeat)
     rung.reason = SafetyReason::kNotOffboard;
   s.commanded_enu_m_s =

@@ -28,11 +28,11 @@ bool is_reached(LimitKind kind, bool already, const LimitWatch& watch, const Lim
       const double share = p.battery_reserve + (already ? p.battery_rise : 0.0);
       return p.battery_reserve > 0.0 && in.battery && in.battery->remaining < share;
     }
-    case LimitKind::kLink:
-      break;
+    default: {  // kLink
+      const double heard_s = std::max(in.operator_at_s, watch.since_s);
+      return p.link_timeout_s > 0.0 && in.now_s - heard_s > p.link_timeout_s;
+    }
   }
-  const double heard_s = std::max(in.operator_at_s, watch.since_s);
-  return p.link_timeout_s > 0.0 && in.now_s - heard_s > p.link_timeout_s;
 }
 
 }  // namespace
