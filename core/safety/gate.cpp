@@ -102,8 +102,10 @@ void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
 
 // Orders, and what the flight controller lets us do.
 void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
-  settle_order(s.order, s.mission, s.carrying, in.writing);
-  if (in.command)
+  settle_orders(s.order, s.mission, s.carrying, in.writing);
+  if (!in.command)
+    answer_order(s.order);
+  else
     take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
                in.autopilot, p.mission_rules());
   if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
@@ -118,7 +120,9 @@ void write_memory(GateState& s, const GateInput& in, GateResult& r) {
   r.memory_changed = remember(s.memory, s.mission);
   if (!in.command) return;
   await_writing(s.order, s.memory, r.memory_changed);
-  settle_order(s.order, s.mission, s.carrying, in.writing);
+  if (s.order.result != MissionResult::kPending) return;
+  settle_orders(s.order, s.mission, s.carrying, in.writing);
+  answer_order(s.order);
 }
 
 // Odometry, images and limits. A limit may end the mission.
@@ -129,7 +133,8 @@ void watch_inputs(GateState& s, const GateInput& in, const SafetyParams& p, Ladd
   ladder.vehicle_lost = !is_known(s.odometry.at_s, in.now_s, p.vehicle_lost_s);
   ladder.vehicle_stale = s.vehicle_latch.update(
       !is_known(s.odometry.at_s, in.now_s, p.vehicle_stale_s), in.now_s, 0.0, p.recover_s);
-  ladder.images_blind = s.image_latch.update(in.images_blind, in.now_s, 0.0, p.recover_s);
+  ladder.images_blind =
+      s.image_latch.update(p.heeds_images && in.images_blind, in.now_s, 0.0, p.recover_s);
   if (ladder.vehicle_lost) return;
   const GateSurroundings around = surroundings_of(s, in, p);
   ladder.limit = watch_limits(s.limits,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/safety/take_order.hpp"
 
+#include <algorithm>
+
 namespace foretrack {
 namespace {
 
@@ -30,15 +32,21 @@ void undo(const UnwrittenOrders& waits, Mission& mission, CarryOut& carrying) {
     hold_mission(carrying, mission, MissionEnd::kUnwritten);
 }
 
-bool is_undone(const UnwrittenOrders& waits) {
-  switch (waits.newest.order) {
+bool is_undone(const UnwrittenOrders& waits, MissionOrder order) {
+  switch (order) {
     case MissionOrder::kLease:
       return waits.lease;
     case MissionOrder::kSetBounds:
       return waits.bounds;
     default:
-      return waits.phase && needs_memory(waits.newest.order);
+      return waits.phase && needs_memory(order);
   }
+}
+
+void drop_oldest(UnwrittenOrders& waits) {
+  std::shift_left(waits.orders.begin(), waits.orders.begin() + waits.count, 1);
+  --waits.count;
+  waits.decided = std::max(waits.decided - 1, 0);
 }
 
 }  // namespace
@@ -59,28 +67,39 @@ void take_order(OrderState& state, Mission& mission, CarryOut& carrying,
 
 void await_writing(OrderState& state, const GateMemory& memory, bool is_news) {
   UnwrittenOrders& waits = state.unwritten;
-  if (state.result != MissionResult::kAccepted || !(is_news || waits.any)) return;
-  if (!waits.any) waits = {};
+  const bool others_wait = waits.any_is_being_written();
+  if (state.result != MissionResult::kAccepted || !(is_news || others_wait)) return;
+  if (!others_wait) waits.phase = waits.lease = waits.bounds = false;
   if (is_news) note_what_to_undo(state, waits);
-  waits.any = true;
-  waits.newest = state.last;
+  if (waits.count == UnwrittenOrders::kCapacity) drop_oldest(waits);
+  waits.orders[waits.count++] = {state.last, MissionResult::kPending};
   waits.revision = memory.revision;
   state.result = MissionResult::kPending;
 }
 
-void settle_order(OrderState& state, Mission& mission, CarryOut& carrying,
-                  const MemoryWriting& writing) {
+void settle_orders(OrderState& state, Mission& mission, CarryOut& carrying,
+                   const MemoryWriting& writing) {
   UnwrittenOrders& waits = state.unwritten;
-  if (!waits.any) return;
+  if (!waits.any_is_being_written()) return;
   const bool written = writing.written_revision >= waits.revision;
   if (!written && writing.failed_revision < waits.revision) return;
-  waits.any = false;
-  state.last = waits.newest;
-  state.result = MissionResult::kAccepted;
-  if (written) return;
-  undo(waits, mission, carrying);
-  state.result =
-      is_undone(waits) ? MissionResult::kRefusedUnwritten : MissionResult::kAcceptedUnwritten;
+  if (!written) undo(waits, mission, carrying);
+  for (; waits.decided < waits.count; ++waits.decided) {
+    auto& [command, result] = waits.orders[waits.decided];
+    if (written)
+      result = MissionResult::kAccepted;
+    else
+      result = is_undone(waits, command.order) ? MissionResult::kRefusedUnwritten
+                                               : MissionResult::kAcceptedUnwritten;
+  }
+}
+
+void answer_order(OrderState& state) {
+  UnwrittenOrders& waits = state.unwritten;
+  if (waits.decided == 0) return;
+  state.last = waits.orders[0].command;
+  state.result = waits.orders[0].result;
+  drop_oldest(waits);
 }
 
 }  // namespace foretrack

@@ -320,6 +320,33 @@ TEST(Memory, ARepeatedStopIsConfirmedNoSoonerThanTheFirst) {
       << "nothing of it is to be written";
 }
 
+TEST(Memory, EachOrderThatWaitedIsAnswered) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  loop.write();
+  loop.tick();
+  loop.order(MissionOrder::kHold, "ada");
+  const auto hold = loop.last_order;
+  EXPECT_EQ(loop.order(MissionOrder::kLease, "ada").command_result, MissionResult::kPending);
+  loop.write();
+  EXPECT_EQ(loop.order(MissionOrder::kStart, "ada").command_result, MissionResult::kRefusedPhase)
+      << "an answer does not take another one's place";
+  EXPECT_EQ(loop.tick().command_id, hold);
+  EXPECT_EQ(loop.result.command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.tick().command_id, hold + 1);
+  EXPECT_EQ(loop.result.command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.tick().command_id, hold + 1);
+}
+
+TEST(Memory, OfManyOrdersThatWaitTheNewestAreAnswered) {
+  Unwritten loop;
+  for (int i = 0; i < 20; ++i) loop.order(MissionOrder::kStop);
+  loop.write();
+  for (int i = 0; i < UnwrittenOrders::kCapacity; ++i)
+    EXPECT_EQ(loop.tick().command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.result.command_id, loop.last_order);
+}
+
 TEST(Memory, AReleaseStandsAlthoughItCannotBeWrittenAndTheLeaseAfterItIsUndoneToNone) {
   Unwritten loop;
   loop.order(MissionOrder::kLease, "ada");
@@ -328,6 +355,7 @@ TEST(Memory, AReleaseStandsAlthoughItCannotBeWrittenAndTheLeaseAfterItIsUndoneTo
   loop.order(MissionOrder::kRelease, "ada");
   loop.order(MissionOrder::kLease, "bob");
   loop.fail();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kAcceptedUnwritten);
   EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
   EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
 }
@@ -351,6 +379,7 @@ TEST(Memory, AReleaseIsAcceptedAlthoughTheStartBeforeItIsUndone) {
   loop.order(MissionOrder::kResume, "ada");
   loop.order(MissionOrder::kRelease, "ada");
   loop.fail();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
   EXPECT_EQ(loop.tick().command_result, MissionResult::kAcceptedUnwritten);
   EXPECT_EQ(loop.result.phase, MissionPhase::kHolding);
   EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
