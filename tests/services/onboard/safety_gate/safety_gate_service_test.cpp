@@ -438,6 +438,7 @@ TEST_F(SafetyGateOnDds, TheLeasesHolderMayJoinTheBusAnewWithoutAnAlarm) {
 }
 
 TEST_F(SafetyGateOnDds, BoundsAreSetUnderTheLeaseAloneAndOutliveAKill) {
+  autopilot_.params.heartbeat_timeout_s = 10.0;  // a busy machine starts processes slowly
   const LeaseKey ada;
   const auto under_lease = [&](MissionOrder order, MissionResult result) {
     return ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada) &&
