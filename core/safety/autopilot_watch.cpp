@@ -51,12 +51,9 @@ bool shows(AutopilotRequest request, const AutopilotStatus& status) {
       return is_in(FlightMode::kLand, status) || !status.armed;
     case AutopilotRequest::kTakeOff:
       return is_in(FlightMode::kTakeOff, status);
-    case AutopilotRequest::kHold:
+    default:  // kHold
       return is_in(FlightMode::kHold, status);
-    case AutopilotRequest::kNone:
-      break;
   }
-  return true;
 }
 
 AskProgress follow(Asking& asking, const AutopilotAck* ack, const AutopilotStatus& status,

@@ -80,7 +80,7 @@ struct AskProgress {
 AskProgress follow(Asking& asking, const AutopilotAck* ack, const AutopilotStatus& status,
                    double now_s, const AskParams& params);
 
-/// The status shows what was asked for.
+/// The status shows what was asked for. Precondition: something was.
 bool shows(AutopilotRequest request, const AutopilotStatus& status);
 
 /// What forbids to ask for the vehicle, after an order to start that came in another mode: kNone,

@@ -142,8 +142,6 @@ AutopilotRequest carry_out(CarryOut& state, Mission& mission, const CarryOutInpu
                            const CarryOutParams& params) {
   Step step{state, mission, input, params};
   switch (mission.phase) {
-    case MissionPhase::kIdle:
-      break;
     case MissionPhase::kStarting:
       return step.start();
     case MissionPhase::kTracking:
@@ -157,6 +155,8 @@ AutopilotRequest carry_out(CarryOut& state, Mission& mission, const CarryOutInpu
     case MissionPhase::kStopped:
     case MissionPhase::kHolding:
       return step.stand();
+    default:  // idle
+      break;
   }
   return Request::kNone;
 }

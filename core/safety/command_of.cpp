@@ -6,8 +6,6 @@ namespace foretrack {
 std::optional<AutopilotCommand> command_of(AutopilotRequest request, int system_id) {
   AutopilotCommand command{.target_system = system_id};
   switch (request) {
-    case AutopilotRequest::kNone:
-      return std::nullopt;
     case AutopilotRequest::kArm:
       command.kind = CommandKind::kArm;
       break;
@@ -26,6 +24,8 @@ std::optional<AutopilotCommand> command_of(AutopilotRequest request, int system_
     case AutopilotRequest::kHold:
       command.mode = FlightMode::kHold;
       break;
+    default:
+      return std::nullopt;
   }
   return command;
 }

@@ -79,9 +79,7 @@ void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
     s.refusal = PlanFault::kNone;
     if (!plan.pieces.empty() && !is_flown_or_waits(s, plan.id)) {
       Situation now = situation_of(s, in, p);
-      const bool after_next =
-          s.has_next && plan.start_s - in.stamp_now_s + in.now_s >= s.next.start_s;
-      if (after_next)
+      if (s.has_next)  // a plan that starts before it is out of order
         now.flown = &s.next;
       else if (s.has_flown && s.mode != SafetyMode::kBrake)
         now.flown = &s.flown;
@@ -104,8 +102,10 @@ void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
 
 // Orders, and what the flight controller lets us do.
 void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
-  settle_order(s.order, s.mission, s.carrying, in.writing);
-  if (in.command)
+  settle_orders(s.order, s.mission, s.carrying, in.writing);
+  if (!in.command)
+    answer_order(s.order);
+  else
     take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
                in.autopilot, p.mission_rules());
   if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
@@ -120,7 +120,9 @@ void write_memory(GateState& s, const GateInput& in, GateResult& r) {
   r.memory_changed = remember(s.memory, s.mission);
   if (!in.command) return;
   await_writing(s.order, s.memory, r.memory_changed);
-  settle_order(s.order, s.mission, s.carrying, in.writing);
+  if (s.order.result != MissionResult::kPending) return;
+  settle_orders(s.order, s.mission, s.carrying, in.writing);
+  answer_order(s.order);
 }
 
 // Odometry, images and limits. A limit may end the mission.
@@ -131,7 +133,8 @@ void watch_inputs(GateState& s, const GateInput& in, const SafetyParams& p, Ladd
   ladder.vehicle_lost = !is_known(s.odometry.at_s, in.now_s, p.vehicle_lost_s);
   ladder.vehicle_stale = s.vehicle_latch.update(
       !is_known(s.odometry.at_s, in.now_s, p.vehicle_stale_s), in.now_s, 0.0, p.recover_s);
-  ladder.images_blind = s.image_latch.update(in.images_blind, in.now_s, 0.0, p.recover_s);
+  ladder.images_blind =
+      s.image_latch.update(p.heeds_images && in.images_blind, in.now_s, 0.0, p.recover_s);
   if (ladder.vehicle_lost) return;
   const GateSurroundings around = surroundings_of(s, in, p);
   ladder.limit = watch_limits(s.limits,
@@ -188,10 +191,11 @@ Setpoint sample(const PlannedTrajectory& plan, const GateInput& in, double respo
           .yaw_rate_rad_s = yaw.rate_rad_s};
 }
 
-Setpoint stand_still(const GateState& s, double stamp_s, bool brake) {
+// Where it brakes there is no place to hold.
+Setpoint stand_still(const GateState& s, double stamp_s) {
   Setpoint out;
   out.stamp_s = stamp_s;
-  out.position_enu_m = brake || !s.hover_enu_m ? Vec3::Constant(kNaN) : *s.hover_enu_m;
+  out.position_enu_m = s.hover_enu_m.value_or(Vec3::Constant(kNaN));
   out.acceleration_enu_m_s2 = out.jerk_enu_m_s3 = Vec3::Constant(kNaN);
   out.yaw_rad = s.hover_yaw_rad;
   return out;
@@ -223,8 +227,7 @@ void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyPar
   s.heartbeat_since_s = r.heartbeat ? std::min(s.heartbeat_since_s, in.now_s) : 1e18;
   const bool flies = rung.mode == SafetyMode::kTrack || rung.mode == SafetyMode::kCoast;
   if (r.heartbeat && in.autopilot.offboard)
-    r.setpoint = flies ? sample(s.flown, in, p.response_s)
-                       : stand_still(s, in.stamp_now_s, rung.mode == SafetyMode::kBrake);
+    r.setpoint = flies ? sample(s.flown, in, p.response_s) : stand_still(s, in.stamp_now_s);
   else if (r.heartbeat)
     rung.reason = SafetyReason::kNotOffboard;
   s.commanded_enu_m_s =

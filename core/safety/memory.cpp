@@ -12,13 +12,9 @@ MissionPhase phase_after_restart(MissionPhase before) {
     case MissionPhase::kTracking:
     case MissionPhase::kStarting:
       return MissionPhase::kHolding;
-    case MissionPhase::kIdle:
-    case MissionPhase::kReturning:
-    case MissionPhase::kLanding:
-    case MissionPhase::kTakingOff:
-      break;
+    default:  // idle, or left to the flight controller
+      return MissionPhase::kIdle;
   }
-  return MissionPhase::kIdle;
 }
 
 bool is_same(const GateMemory& memory, const Mission& mission) {

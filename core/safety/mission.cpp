@@ -16,14 +16,9 @@ bool is_allowed(MissionOrder order, MissionPhase phase) {
       return phase == MissionPhase::kHolding;
     case MissionOrder::kReturn:
       return phase != MissionPhase::kLanding;
-    case MissionOrder::kLand:
-    case MissionOrder::kStop:
-    case MissionOrder::kLease:
-    case MissionOrder::kRelease:
-    case MissionOrder::kSetBounds:
-      break;
+    default:
+      return true;
   }
-  return true;
 }
 
 MissionPhase phase_after(MissionOrder order, const Mission& mission) {
@@ -41,12 +36,9 @@ MissionPhase phase_after(MissionOrder order, const Mission& mission) {
       return MissionPhase::kStopped;
     case MissionOrder::kTakeOff:
       return MissionPhase::kTakingOff;
-    case MissionOrder::kLease:
-    case MissionOrder::kRelease:
-    case MissionOrder::kSetBounds:
-      break;
+    default:  // about the lease, or the bounds
+      return mission.phase;
   }
-  return mission.phase;
 }
 
 MissionResult judge_time(const MissionCommand& command, const Mission& mission,
@@ -64,6 +56,8 @@ MissionResult judge_sender(const MissionCommand& command, const Mission& mission
   if (held && command.lease_id != mission.lease.id) return MissionResult::kRefusedForeign;
   if (command.order == MissionOrder::kLease && command.lease_id.empty())
     return MissionResult::kRefusedUnproved;  // it would be anybody's
+  if (command.order == MissionOrder::kSetBounds && !held)
+    return MissionResult::kRefusedUnproved;  // they outlive who set them
   const bool needs_proof = held || command.order == MissionOrder::kLease;
   return needs_proof && !command.proved ? MissionResult::kRefusedUnproved
                                         : MissionResult::kAccepted;
@@ -120,14 +114,9 @@ bool needs_memory(MissionOrder order) {
     case MissionOrder::kLease:
     case MissionOrder::kSetBounds:
       return true;
-    case MissionOrder::kHold:
-    case MissionOrder::kReturn:
-    case MissionOrder::kLand:
-    case MissionOrder::kStop:
-    case MissionOrder::kRelease:
-      break;
+    default:
+      return false;
   }
-  return false;
 }
 
 bool is_active(MissionPhase phase) {

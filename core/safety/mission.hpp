@@ -115,7 +115,8 @@ struct Mission {
 /// Applies the command and says whether it was taken.
 /// Stop is taken from anybody, always. Land is never refused for its id, age or phase, and return
 /// only while landing: both from the lease's holder, or from anybody while nobody holds one. The
-/// rest must also be newer than what came before, and fit the phase.
+/// rest must also be newer than what came before, and fit the phase; bounds are set under a lease
+/// alone.
 MissionResult apply(const MissionCommand& command, Mission& mission, const Moment& moment,
                     const MissionRules& rules);
 

@@ -36,6 +36,8 @@ ParamRows rows(SafetyParams& p) {
        "least gap of a plan to people and vehicles, unless nothing else is farther away"},
       {"bounds_m", &p.bounds_m, "m", 0.0, 10.0, "so far inside of fence and altitudes plans stay"},
       {"needs_map", &p.needs_map, "", 0, 1, "without a map no plan is flown"},
+      {"heeds_images", &p.heeds_images, "", 0, 1,
+       "hover while colour or depth images are frozen, dark or covered"},
       {"altitude_min_m", &p.altitude_min_m, "m", -1000.0, 10000.0, "least altitude, world ENU"},
       {"altitude_max_m", &p.altitude_max_m, "m", -1000.0, 10000.0, "greatest altitude, world ENU"},
       {"battery_reserve", &p.battery_reserve, "", 0.0, 0.9,

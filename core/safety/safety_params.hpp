@@ -36,6 +36,7 @@ struct SafetyParams {
   double body_m = Clearances{}.body_m;
   double bounds_m = Clearances{}.bounds_m;
   bool needs_map = PlanCheckParams{}.needs_map;
+  bool heeds_images = true;
   // limits of the flight
   double altitude_min_m = -1000.0;
   double altitude_max_m = 1000.0;

@@ -1,20 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/safety/take_order.hpp"
 
+#include <algorithm>
+
 namespace foretrack {
 namespace {
 
-void undo(const OrderState& state, Mission& mission, CarryOut& carrying) {
+// The newest order's word counts: a start that was stopped is not undone, a release is for good.
+void note_what_to_undo(const OrderState& state, UnwrittenOrders& waits) {
   switch (state.last.order) {
     case MissionOrder::kLease:
-      mission.lease = state.before.lease;
+      if (!waits.lease) waits.lease_before = state.lease_before;
+      waits.lease = true;
+      return;
+    case MissionOrder::kRelease:
+      waits.lease = false;
       return;
     case MissionOrder::kSetBounds:
-      mission.bounds = state.before.bounds;
+      if (!waits.bounds) waits.bounds_before = state.bounds_before;
+      waits.bounds = true;
       return;
-    default:  // start, resume, take-off
-      if (is_active(mission.phase)) hold_mission(carrying, mission, MissionEnd::kUnwritten);
+    default:
+      waits.phase = needs_memory(state.last.order);
   }
+}
+
+void undo(const UnwrittenOrders& waits, Mission& mission, CarryOut& carrying) {
+  if (waits.lease) mission.lease = waits.lease_before;
+  if (waits.bounds) mission.bounds = waits.bounds_before;
+  if (waits.phase && is_active(mission.phase))
+    hold_mission(carrying, mission, MissionEnd::kUnwritten);
+}
+
+bool is_undone(const UnwrittenOrders& waits, MissionOrder order) {
+  switch (order) {
+    case MissionOrder::kLease:
+      return waits.lease;
+    case MissionOrder::kSetBounds:
+      return waits.bounds;
+    default:
+      return waits.phase && needs_memory(order);
+  }
+}
+
+void drop_oldest(UnwrittenOrders& waits) {
+  std::shift_left(waits.orders.begin(), waits.orders.begin() + waits.count, 1);
+  --waits.count;
+  waits.decided = std::max(waits.decided - 1, 0);
 }
 
 }  // namespace
@@ -22,7 +54,8 @@ void undo(const OrderState& state, Mission& mission, CarryOut& carrying) {
 void take_order(OrderState& state, Mission& mission, CarryOut& carrying,
                 const MissionCommand& command, const Moment& moment, const AutopilotStatus& status,
                 const MissionRules& rules) {
-  state.before = mission;
+  state.lease_before = mission.lease;
+  state.bounds_before = mission.bounds;
   state.last = command;
   state.result = apply(command, mission, moment, rules);
   const bool about_phase = command.order != MissionOrder::kLease &&
@@ -33,21 +66,40 @@ void take_order(OrderState& state, Mission& mission, CarryOut& carrying,
 }
 
 void await_writing(OrderState& state, const GateMemory& memory, bool is_news) {
-  if (state.result != MissionResult::kAccepted || !is_news) return;
+  UnwrittenOrders& waits = state.unwritten;
+  const bool others_wait = waits.any_is_being_written();
+  if (state.result != MissionResult::kAccepted || !(is_news || others_wait)) return;
+  if (!others_wait) waits.phase = waits.lease = waits.bounds = false;
+  if (is_news) note_what_to_undo(state, waits);
+  if (waits.count == UnwrittenOrders::kCapacity) drop_oldest(waits);
+  waits.orders[waits.count++] = {state.last, MissionResult::kPending};
+  waits.revision = memory.revision;
   state.result = MissionResult::kPending;
-  state.revision = memory.revision;
 }
 
-void settle_order(OrderState& state, Mission& mission, CarryOut& carrying,
-                  const MemoryWriting& writing) {
-  if (state.result != MissionResult::kPending) return;
-  if (writing.written_revision >= state.revision) {
-    state.result = MissionResult::kAccepted;
-  } else if (writing.failed_revision >= state.revision) {
-    const bool undone = needs_memory(state.last.order);
-    state.result = undone ? MissionResult::kRefusedUnwritten : MissionResult::kAcceptedUnwritten;
-    if (undone) undo(state, mission, carrying);
+void settle_orders(OrderState& state, Mission& mission, CarryOut& carrying,
+                   const MemoryWriting& writing) {
+  UnwrittenOrders& waits = state.unwritten;
+  if (!waits.any_is_being_written()) return;
+  const bool written = writing.written_revision >= waits.revision;
+  if (!written && writing.failed_revision < waits.revision) return;
+  if (!written) undo(waits, mission, carrying);
+  for (; waits.decided < waits.count; ++waits.decided) {
+    auto& [command, result] = waits.orders[waits.decided];
+    if (written)
+      result = MissionResult::kAccepted;
+    else
+      result = is_undone(waits, command.order) ? MissionResult::kRefusedUnwritten
+                                               : MissionResult::kAcceptedUnwritten;
   }
+}
+
+void answer_order(OrderState& state) {
+  UnwrittenOrders& waits = state.unwritten;
+  if (waits.decided == 0) return;
+  state.last = waits.orders[0].command;
+  state.result = waits.orders[0].result;
+  drop_oldest(waits);
 }
 
 }  // namespace foretrack

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace foretrack {
 namespace {
@@ -57,16 +58,17 @@ ImageStatistics statistics_of(std::span<const std::uint8_t> values) {
 }
 
 ImageStatistics statistics_of(std::span<const float> depths_m) {
-  ImageStatistics out{.fingerprint = depths_m.size()};
+  ImageStatistics out{.mean = std::numeric_limits<double>::infinity(),
+                      .fingerprint = depths_m.size()};
   Moments moments;
-  std::size_t looks = 0;
+  std::size_t looks = 0, answers = 0;
   for (std::size_t i = 0; i < depths_m.size(); i += kEveryDepth, ++looks) {
+    if (depths_m[i] > 0.0F) ++answers;
     if (depths_m[i] > 0.0F && std::isfinite(depths_m[i])) moments.add(depths_m[i]);
     mix(out.fingerprint, std::bit_cast<std::uint32_t>(depths_m[i]));
   }
   moments.write(out);
-  out.valid_share =
-      looks == 0 ? 0.0 : static_cast<double>(moments.count) / static_cast<double>(looks);
+  out.valid_share = looks == 0 ? 0.0 : static_cast<double>(answers) / static_cast<double>(looks);
   return out;
 }
 
@@ -81,8 +83,9 @@ ImageFault watch_color(ImageWatch& watch, const ImageStatistics& image, double m
 ImageFault watch_depth(ImageWatch& watch, const ImageStatistics& image, double moved_m,
                        double stamp_s, const ImageWatchParams& params) {
   const bool covered = image.valid_share < params.valid_share || image.mean < params.near_m;
-  return confirm(watch, covered ? ImageFault::kCovered : ImageFault::kNone, image, moved_m, stamp_s,
-                 params);
+  // Where nothing is within reach, all images are the same.
+  return confirm(watch, covered ? ImageFault::kCovered : ImageFault::kNone, image,
+                 std::isfinite(image.mean) ? moved_m : 0.0, stamp_s, params);
 }
 
 std::string_view to_string(ImageFault fault) {

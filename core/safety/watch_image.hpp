@@ -17,15 +17,16 @@ std::string_view to_string(ImageFault fault);
 
 /// What little of an image is needed to tell.
 struct ImageStatistics {
-  double mean = 0.0;         // of the values, 0 to 255; of depth: of the pixels that have one, in m
-  double deviation = 0.0;    // of the same
-  double valid_share = 1.0;  // of depth: pixels that have a value
+  double mean = 0.0;              // of the values, 0 to 255; of depth: of those within reach, in m
+  double deviation = 0.0;         // of the same
+  double valid_share = 1.0;       // of depth: pixels that have a value, or are free beyond reach
   std::uint64_t fingerprint = 0;  // the same for the same pixels
 };
 
 /// Of 8-bit values, colour or grey: every 16th of them. Cost: 60 µs for 640 × 480 × 3.
 ImageStatistics statistics_of(std::span<const std::uint8_t> values);
-/// Of depths in metres, every 4th; 0, NaN and infinity are none.
+/// Of depths in metres, every 4th. 0 and NaN are none; +infinity says that nothing is within reach,
+/// and where all say so the mean is infinite.
 ImageStatistics statistics_of(std::span<const float> depths_m);
 
 /// When images are held to be frozen, dark or covered.

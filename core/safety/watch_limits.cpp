@@ -11,9 +11,10 @@ bool is_out_of_fence(const LimitInput& in, double inward_m) {
   return room_m(fence, in.place_enu_m) < inward_m;
 }
 
-bool is_out_of_altitudes(const LimitInput& in, double inward_m) {
+bool is_out_of_altitudes(const LimitWatch& watch, const LimitInput& in, double inward_m) {
   const double z = in.place_enu_m.z();
-  return z < in.bounds->altitude_min_m + inward_m || z > in.bounds->altitude_max_m - inward_m;
+  return z > in.bounds->altitude_max_m - inward_m ||
+         (watch.has_climbed && z < in.bounds->altitude_min_m + inward_m);
 }
 
 bool is_reached(LimitKind kind, bool already, const LimitWatch& watch, const LimitInput& in,
@@ -23,23 +24,23 @@ bool is_reached(LimitKind kind, bool already, const LimitWatch& watch, const Lim
     case LimitKind::kFence:
       return is_out_of_fence(in, inward_m);
     case LimitKind::kAltitude:
-      return watch.has_climbed && is_out_of_altitudes(in, inward_m);
+      return is_out_of_altitudes(watch, in, inward_m);
     case LimitKind::kBattery: {
       const double share = p.battery_reserve + (already ? p.battery_rise : 0.0);
       return p.battery_reserve > 0.0 && in.battery && in.battery->remaining < share;
     }
-    case LimitKind::kLink:
-      break;
+    default: {  // kLink
+      const double heard_s = std::max(in.operator_at_s, watch.since_s);
+      return p.link_timeout_s > 0.0 && in.now_s - heard_s > p.link_timeout_s;
+    }
   }
-  const double heard_s = std::max(in.operator_at_s, watch.since_s);
-  return p.link_timeout_s > 0.0 && in.now_s - heard_s > p.link_timeout_s;
 }
 
 }  // namespace
 
 LimitVerdict watch_limits(LimitWatch& watch, const LimitInput& input, const LimitParams& params) {
   if (watch.since_s < 0.0) watch.since_s = input.now_s;
-  watch.has_climbed = watch.has_climbed || !is_out_of_altitudes(input, 0.0);
+  watch.has_climbed = watch.has_climbed || input.place_enu_m.z() >= input.bounds->altitude_min_m;
   LimitVerdict verdict;
   for (int i = 0; i < kLimitCount; ++i) {
     const auto kind = static_cast<LimitKind>(i);

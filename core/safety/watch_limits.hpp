@@ -47,7 +47,7 @@ struct LimitVerdict {
   Reaction reaction = Reaction::kNone;
   LimitKind kind = LimitKind::kFence;
 };
-/// The altitudes count from when the vehicle has first been between them.
+/// The least altitude counts from when the vehicle has first been above it.
 LimitVerdict watch_limits(LimitWatch& watch, const LimitInput& input, const LimitParams& params);
 
 }  // namespace foretrack

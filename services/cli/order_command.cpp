@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// foretrack order: one order to a vehicle from the terminal, without a lease.
+// foretrack order: one order to a vehicle from the terminal.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
 #include "services/common/options.hpp"
 #include "services/common/stop.hpp"
+#include "services/files/config/load_bounds.hpp"
 #include "services/operator/order_sender.hpp"
 
 namespace foretrack {
@@ -18,19 +20,24 @@ namespace {
 
 struct OrderArguments {
   NodeOptions node;
-  std::string order, operator_name = "terminal";
+  std::string order, operator_name = "terminal", bounds_file;
   double patience_s = 10.0;
 };
 
 int run_order(OrderArguments arguments) {
+  const MissionOrder what = *order_of(arguments.order);
+  if ((what == MissionOrder::kSetBounds) == arguments.bounds_file.empty())
+    throw std::invalid_argument("bounds, and they alone, come with --file");
+  FlightBounds bounds;
+  if (!arguments.bounds_file.empty()) bounds = load_bounds(arguments.bounds_file);
   set_up_logging("warning");
   Stop stop;
   SignalStop signals(stop);
   arguments.node.service = "order";
   Node node(arguments.node);
-  OrderSender sender(node, *order_of(arguments.order), arguments.operator_name);
+  OrderSender sender(node, what, arguments.operator_name, bounds);
   const double begin_s = node.clock().steady_s();
-  while (!stop.requested() && !sender.result() &&
+  while (!stop.requested() && !sender.is_done() &&
          node.clock().steady_s() - begin_s < arguments.patience_s) {
     sender.update();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -51,11 +58,15 @@ int run_order(OrderArguments arguments) {
 std::function<int()> prepare_order(CLI::App& app) {
   auto arguments = std::make_shared<OrderArguments>();
   add_bus_options(app, arguments->node);
-  app.add_option("order", arguments->order, "start, hold, resume, return, land, stop or take_off")
+  app.add_option("order", arguments->order,
+                 "start, hold, resume, return, land, stop, take_off or bounds")
       ->required()
       ->check([](const std::string& name) {
         return order_of(name) ? std::string() : "there is no order '" + name + "'";
       });
+  app.add_option("--file", arguments->bounds_file,
+                 "Of bounds: fence_m, altitude_min_m, altitude_max_m")
+      ->check(CLI::ExistingFile);
   app.add_option("--operator", arguments->operator_name, "Who gives it")->capture_default_str();
   app.add_option("--for", arguments->patience_s, "Wait so many seconds for the answer")
       ->check(CLI::PositiveNumber)

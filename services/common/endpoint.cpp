@@ -126,6 +126,10 @@ bool ReaderCore::take(void* sample) {
       std::copy_n(guid.guidPrefix.value, 12, from.begin());
       std::copy_n(guid.entityId.value, 4, from.begin() + 12);
       if (is_of_the_pinned_writer(from)) return true;
+      if (!refuses_others_) {
+        ++stats.of_second_writers;
+        return true;
+      }
       stats.reject(kSecondWriter);
       continue;
     }

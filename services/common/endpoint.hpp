@@ -29,6 +29,7 @@ struct EndpointStats {
   std::uint64_t samples = 0;                                    // written, or accepted
   Time last{};                                                  // of the last sample
   std::vector<std::pair<std::string, std::uint64_t>> rejected;  // by reason
+  std::uint64_t of_second_writers = 0;                          // accepted all the same
   std::atomic<int> peers = 0;
   std::atomic<std::uint64_t> incompatible_qos = 0;
   std::atomic<std::uint64_t> lost = 0;
@@ -62,6 +63,11 @@ class ReaderCore {
   /// of a second writer, until the first has been silent for so long (or is gone): a process that
   /// was started again takes its place.
   void pin_writer(double silence_s) { pin_silence_s_ = silence_s; }
+  /// The same, but samples of a second writer are taken, and counted (`of_second_writers`).
+  void notice_second_writers(double silence_s) {
+    pin_silence_s_ = silence_s;
+    refuses_others_ = false;
+  }
 
   EndpointStats stats;
   std::unique_ptr<Dds> dds;
@@ -71,6 +77,7 @@ class ReaderCore {
   bool is_of_the_pinned_writer(const WriterId& from);
 
   double pin_silence_s_ = -1.0;  // < 0: any writer is heard
+  bool refuses_others_ = true;
   WriterId pinned_{};
   EndpointStats::Time pinned_heard_{};
 };

@@ -95,6 +95,7 @@ class Reader {
   void take_future_stamps() { takes_future_stamps_ = true; }
   /// See ReaderCore.
   void pin_writer(double silence_s) { core_->pin_writer(silence_s); }
+  void notice_second_writers(double silence_s) { core_->notice_second_writers(silence_s); }
   const EndpointStats& stats() const { return core_->stats; }
   ReaderCore& core() { return *core_; }
 

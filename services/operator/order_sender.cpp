@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "services/common/time_now.hpp"
+#include "services/convert/safety.hpp"
 
 namespace foretrack {
 namespace {
@@ -13,37 +14,66 @@ constexpr double kRepeatStop_s = 0.1;
 constexpr double kWriting_s = 3.0;  // that a slow disk may take; a second order would be refused
 
 // Ids of one operator grow, also over several runs of a program.
-std::uint64_t next_id(const std::vector<std::uint64_t>& sent) {
+std::uint64_t next_id(std::uint64_t last) {
   const auto now_us = static_cast<std::uint64_t>(now_ns() / 1000);
-  return std::max(now_us, sent.empty() ? 1 : sent.back() + 1);
+  return std::max(now_us, last + 1);
 }
 
 }  // namespace
 
-OrderSender::OrderSender(Node& node, MissionOrder order, std::string operator_name)
-    : order_(order), operator_name_(std::move(operator_name)), writer_(node), reader_(node) {}
+OrderSender::OrderSender(Node& node, MissionOrder order, std::string operator_name,
+                         FlightBounds bounds)
+    : order_(order),
+      operator_name_(std::move(operator_name)),
+      bounds_(bounds),
+      sending_(order),
+      writer_(node),
+      reader_(node),
+      vehicle_(node.options().names.vehicle) {
+  if (order != MissionOrder::kSetBounds) return;
+  lease_.emplace();
+  sending_ = MissionOrder::kLease;
+}
 
 void OrderSender::update() {
   reader_.take_each([this](const foretrack_msgs::msg::SafetyState& state) {
     gate_stamp_ = state.header().stamp();
     gate_text_ = state.text().c_str();
     const auto result = static_cast<MissionResult>(state.command_result());
-    const bool is_ours = std::ranges::find(sent_, state.command_id()) != sent_.end();
-    if (is_ours && result != MissionResult::kPending) result_ = result;
-    if (is_ours && result == MissionResult::kPending) next_s_ = steady_s() + kWriting_s;
+    if (std::ranges::find(sent_, state.command_id()) == sent_.end()) return;
+    if (result == MissionResult::kPending)
+      next_s_ = steady_s() + kWriting_s;
+    else
+      take_answer(result);
   });
   const double now_s = steady_s();
-  if (!result_ && !gate_text_.empty() && writer_.readers() > 0 && now_s >= next_s_) send(now_s);
+  if (sending_ && !gate_text_.empty() && writer_.readers() > 0 && now_s >= next_s_) send(now_s);
+}
+
+// What is answered is not asked again; the lease is given back whatever became of the bounds.
+void OrderSender::take_answer(MissionResult answer) {
+  sent_.clear();
+  next_s_ = 0.0;
+  if (sending_ == MissionOrder::kLease && is_accepted(answer)) {
+    sending_ = order_;
+    return;
+  }
+  if (!result_) result_ = answer;
+  const bool gives_back = lease_ && sending_ == order_;
+  sending_ = gives_back ? std::optional(MissionOrder::kRelease) : std::nullopt;
 }
 
 void OrderSender::send(double now_s) {
-  next_s_ = now_s + (order_ == MissionOrder::kStop ? kRepeatStop_s : kAgain_s);
+  next_s_ = now_s + (sending_ == MissionOrder::kStop ? kRepeatStop_s : kAgain_s);
+  last_id_ = next_id(last_id_);
   auto& order = writer_.sample();
+  to_idl(
+      MissionCommand{
+          .id = last_id_, .order = *sending_, .operator_name = operator_name_, .bounds = bounds_},
+      order);
   order.header().stamp(gate_stamp_);
-  order.id(next_id(sent_));
-  order.command(static_cast<std::uint8_t>(order_));
-  order.operator_id(operator_name_);
-  sent_.push_back(order.id());
+  if (lease_) lease_->sign(vehicle_, order);
+  sent_.push_back(last_id_);
   writer_.write();
 }
 
@@ -52,7 +82,7 @@ std::optional<MissionOrder> order_of(std::string_view name) {
        {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume, MissionOrder::kReturn,
         MissionOrder::kLand, MissionOrder::kStop, MissionOrder::kTakeOff})
     if (to_string(order) == name) return order;
-  return std::nullopt;
+  return name == "bounds" ? std::optional(MissionOrder::kSetBounds) : std::nullopt;
 }
 
 }  // namespace foretrack

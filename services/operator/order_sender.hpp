@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One order to one vehicle, without a lease, and what its gate makes of it.
+// One order to one vehicle, and what its gate makes of it.
 #pragma once
 
 #include <optional>
@@ -12,36 +12,46 @@
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
 #include "services/common/writer.hpp"
+#include "services/convert/order_proof.hpp"
 
 namespace foretrack {
 
+/// Without a lease; but bounds are set under one, which is taken for them and given back.
 class OrderSender {
  public:
-  OrderSender(Node& node, MissionOrder order, std::string operator_name);
+  OrderSender(Node& node, MissionOrder order, std::string operator_name, FlightBounds bounds = {});
 
   /// Call it about twenty times a second. Sends once the gate is heard, by the gate's own clock,
   /// and again each second, STOP ten times a second, until the gate has answered.
   void update();
   /// None: not yet answered.
   std::optional<MissionResult> result() const { return result_; }
+  /// It is answered, and nothing is left to be given back.
+  bool is_done() const { return result_ && !sending_; }
   /// The gate's last words about itself; empty: it was not heard.
   const std::string& gate_text() const { return gate_text_; }
 
  private:
   void send(double now_s);
+  void take_answer(MissionResult answer);
 
   MissionOrder order_;
   std::string operator_name_;
+  FlightBounds bounds_;
+  std::optional<LeaseKey> lease_;
+  std::optional<MissionOrder> sending_;  // until it is answered
   Writer<topics::MissionCommand> writer_;
   Reader<topics::SafetyState> reader_;
   builtin_interfaces::msg::Time gate_stamp_;
   std::string gate_text_;
   double next_s_ = 0.0;
-  std::vector<std::uint64_t> sent_;
+  std::string vehicle_;
+  std::vector<std::uint64_t> sent_;  // and not yet answered
+  std::uint64_t last_id_ = 0;
   std::optional<MissionResult> result_;
 };
 
-/// The order of that name ("take_off"); none: there is no such order, or it needs a lease.
+/// The order of that name ("take_off", "bounds"); none: there is no such order.
 std::optional<MissionOrder> order_of(std::string_view name);
 
 }  // namespace foretrack

@@ -83,6 +83,24 @@ TEST_F(OnboardProcesses, FlyOnOrderAloneAndAreStartedAgainWhenTheyEnd) {
   for (const pid_t child : children) EXPECT_NE(kill(child, 0), 0) << "left behind";
 }
 
+TEST_F(OnboardProcesses, BoundsAreSetFromTheTerminalUnderALeaseThatIsGivenBack) {
+  const auto file = folder_.path / "bounds.yaml";
+  const auto set = [&](const std::string& yaml) {
+    std::ofstream(file) << yaml;
+    Program program(on_domain({"order", "bounds", "--file", file.string()}),
+                    folder_.path / "order");
+    const int code = program.wait(20.0);
+    return std::pair(code, program.output());
+  };
+  EXPECT_EQ(set("fence_m: [[0, 0], [1, 1]]\n").first, 2);
+  EXPECT_NE(set("fence_m: [[0, 0], [1, 1]]\n").second.find("is no fence"), std::string::npos);
+  EXPECT_EQ(set("altitude_max_m: 0.3\n"), std::pair(0, std::string("bounds: accepted\n")));
+  EXPECT_TRUE(eventually([&] { return order("start"); }, 60.0)) << "nobody holds the lease";
+  EXPECT_TRUE(reaches("hover", 60.0)) << "it is above already, and does not follow";
+  EXPECT_EQ(set("fence_m: []\n").first, 0) << "lifts them";
+  EXPECT_TRUE(flies_on_order());
+}
+
 TEST_F(OnboardProcesses, APausedStageIsHoveredOutAndAPausedGateGivesTheVehicleUp) {
   ASSERT_TRUE(flies_on_order()) << onboard_.output();
   const pid_t stages = process("stages"), gate = process("safety_gate");

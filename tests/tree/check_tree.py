@@ -7,6 +7,7 @@
     check_tree.py mirrors    a .cpp of core that decides something has a test of its name
     check_tree.py licences   every source says its licence first
     check_tree.py documents  every file that the documents name exists
+    check_tree.py promises   every row of the table in docs/safety.md names tests, and they exist
     check_tree.py lengths    functions: 95 of 100 have at most 25 lines, none more than 90
 
 Exit code 0: kept; 1: broken, with a line for each fault; 77: a tool is missing.
@@ -129,6 +130,22 @@ def documents():
                         yield f"{document}:{number}: there is no {one}"
 
 
+def promises():
+    known = {".".join(pair) for name in files("tests/**/*_test.cpp")
+             for pair in re.findall(r"TEST(?:_[FP])?\((\w+),\s*(\w+)\)", (ROOT / name).read_text())}
+    rows = [line for line in (ROOT / "docs/safety.md").read_text().splitlines()
+            if line.startswith("| ") and not line.startswith("| Hazard")]
+    if not rows:
+        yield "docs/safety.md has no table"
+    for row in rows:
+        named = re.findall(r"`([^`]*)`", row.split(" | ")[-1])
+        if not named:
+            yield f"docs/safety.md: no test tells of: {row.split(' | ')[0]}"
+        for name in named:
+            if name not in known:
+                yield f"docs/safety.md: there is no test {name}"
+
+
 def braces(text):
     """`a.{hpp,cpp}` is two names."""
     match = re.search(r"\{([^}]*)\}", text)
@@ -158,7 +175,10 @@ def lengths():
             yield f"{place}: a function of {length} lines"
 
 
-RULES = {rule.__name__: rule for rule in (layers, names, mirrors, licences, documents, lengths)}
+RULES = {
+    rule.__name__: rule
+    for rule in (layers, names, mirrors, licences, documents, promises, lengths)
+}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in RULES:

@@ -30,6 +30,7 @@ MappingService::MappingService(Service& service, const MappingParams& params)
       params_(params),
       state_(params),
       vehicle_(service, [this] { update(); }),
+      sight_(service, vehicle_),
       image_(service.node()),
       info_(service.node()),
       bodies_reader_(service.node()),
@@ -64,6 +65,7 @@ void MappingService::take(const sensor_msgs::msg::Image& message) {
   auto image = from_idl(message, *camera_, std::move(depth_.depth_m));
   if (!image) return image_.refuse(image.fault());
   depth_ = std::move(*image);
+  sight_.look_at_depth(depth_.depth_m);
   waiting_ = true;
   update();
 }
@@ -87,6 +89,7 @@ void MappingService::publish() {
   if (std::abs(depth_.stamp_s - published_s_) < kMapPeriod_s - kJitter_s) return;
   published_s_ = depth_.stamp_s;
   to_idl(state_.map, map_.sample());
+  map_.sample().camera(static_cast<std::uint8_t>(sight_.fault()));
   map_.write();
 }
 
@@ -107,10 +110,12 @@ void MappingService::watch() {
   const double now_s = service_.clock().now_s();
   const bool seeing = now_s - arrived_s_ < kImageStale_s;
   const bool placed = vehicle_.age_s(now_s) < kImageStale_s;
-  service_.health().set_degraded(!seeing    ? "no depth images"
-                                 : !camera_ ? "no camera_info"
-                                 : !placed  ? "no odometry"
-                                            : "");
+  const std::string blind = sight_.trouble("depth");
+  service_.health().set_degraded(!seeing          ? "no depth images"
+                                 : !camera_       ? "no camera_info"
+                                 : !placed        ? "no odometry"
+                                 : !blind.empty() ? blind
+                                                  : "");
 }
 
 void run_mapping(const ServiceOptions& options, const MappingParams& params, Stop& stop) {

@@ -14,6 +14,7 @@
 #include "sensor_msgs/msg/Image.h"
 #include "sensor_msgs/msg/PointCloud2.h"
 #include "services/onboard/inputs.hpp"
+#include "services/onboard/camera_sight.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
@@ -37,6 +38,7 @@ class MappingService {
   MappingParams params_;
   MappingState state_;
   VehicleInput vehicle_;
+  CameraSight sight_;
   Reader<topics::DepthImage> image_;
   Reader<topics::DepthCameraInfo> info_;
   Reader<topics::MovingBodies> bodies_reader_;

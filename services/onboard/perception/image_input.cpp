@@ -27,6 +27,7 @@ ImageInput::ImageInput(Service& service, const PerceptionParams& params,
       params_(params),
       track_(track),
       vehicle_(vehicle),
+      sight_(service, vehicle),
       seen_(std::move(seen)),
       people_seen_(std::move(people)),
       mount_(service.node()),
@@ -48,9 +49,10 @@ void ImageInput::take_mount(const tf2_msgs::msg::TFMessage& message) {
 }
 
 void ImageInput::take(const sensor_msgs::msg::Image& message) {
-  if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
   const double stamp_s = seconds(message.header().stamp());
   if (service_.clock().now_s() - stamp_s > kStale_s) return image_.reject("late");
+  sight_.look_at_color(message.data());
+  if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
   if (!load_network()) return image_.reject("no pose network");
   auto image = rgb_from_idl(message, camera_->camera, std::move(rgb_.rgb));
   if (!image) return image_.refuse(image.fault());

@@ -12,6 +12,7 @@
 #include "sensor_msgs/msg/Image.h"
 #include "services/convert/color_image.hpp"
 #include "services/onboard/inputs.hpp"
+#include "services/onboard/camera_sight.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
@@ -37,6 +38,8 @@ class ImageInput {
 
   /// Why images are of no use now; empty: they are, or none come.
   const std::string& trouble() const { return trouble_; }
+  /// Whether the images still show something, and why not.
+  const CameraSight& sight() const { return sight_; }
   /// When several people could last have been the one who is followed; by the image's stamp.
   double ambiguous_s() const { return ambiguous_s_; }
 
@@ -51,6 +54,7 @@ class ImageInput {
   PerceptionParams params_;
   const PerceptionState& track_;
   const VehicleInput& vehicle_;
+  CameraSight sight_;
   OnSeen seen_;
   OnPeople people_seen_;
   Reader<topics::StaticTransforms> mount_;

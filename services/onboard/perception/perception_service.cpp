@@ -108,7 +108,9 @@ void PerceptionService::coast_if_silent() {
   const double now_s = service_.clock().now_s();
   const bool seeing = vehicle_.age_s(now_s) < kVehicleStale_s;
   const bool doubtful = std::abs(now_s - images_.ambiguous_s()) < kDoubt_s;
+  const std::string blind = images_.sight().trouble("colour");
   service_.health().set_degraded(!seeing                      ? "no odometry"
+                                 : !blind.empty()             ? blind
                                  : !images_.trouble().empty() ? images_.trouble()
                                  : doubtful                   ? kAmbiguous
                                                               : "");
@@ -147,6 +149,7 @@ void PerceptionService::publish_bodies(const TargetState& target) {
                 vehicle ? vehicle->position_enu_m : Vec3(Vec3::Zero()), body_params_, around_,
                 looks_);
   to_idl(around_, looks_, bodies_.sample());
+  bodies_.sample().camera(static_cast<std::uint8_t>(images_.sight().fault()));
   bodies_.write();
 }
 

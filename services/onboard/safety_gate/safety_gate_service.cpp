@@ -23,9 +23,10 @@ constexpr auto convert = [](auto&& message) {
 constexpr double kTick_s = 0.01;
 constexpr double kReport_s = 0.05;
 constexpr std::size_t kMaxOrders = 8;
-constexpr double kSilence_s = 0.5;     // of a writer, before another one is heard
-constexpr double kMapSilence_s = 3.0;  // maps come seldom
-constexpr double kAlarm_s = 5.0;       // that it lasts after its cause
+constexpr double kSilence_s = 0.5;       // of a writer, before another one is heard
+constexpr double kMapSilence_s = 3.0;    // maps come seldom
+constexpr double kOrderSilence_s = 1.5;  // a lease is renewed once a second
+constexpr double kAlarm_s = 5.0;         // that it lasts after its cause
 
 // Two vehicles, or one in two domains, must not share their memory.
 std::filesystem::path memory_file_of(const ServiceOptions& options) {
@@ -54,18 +55,31 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
   plan_reader_.pin_writer(kSilence_s);
   map_reader_.pin_writer(kMapSilence_s);
   bodies_reader_.pin_writer(kSilence_s);
-  order_reader_.take_future_stamps();  // STOP and LAND count whenever they were given
+  order_reader_.take_future_stamps();  // STOP and LAND count whenever they were given,
+  order_reader_.notice_second_writers(kOrderSilence_s);  // and from whomever
   Loop& loop = service.loop();
   loop.on_newest(plan_reader_, convert,
                  [this](PlannedTrajectory&& plan) { plan_ = std::move(plan); });
-  loop.on_newest(map_reader_, convert, [this](GridMap&& map) {
-    map_ = std::move(map);
-    map_at_s_ = service_.clock().steady_s();
-  });
-  loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) {
-    bodies_ = bodies;
-    bodies_at_s_ = service_.clock().steady_s();
-  });
+  loop.on_newest(
+      map_reader_,
+      [this](foretrack_msgs::msg::LocalMap&& map) {
+        depth_blind_ = map.camera() != foretrack_msgs::msg::LocalMap_Constants::CAMERA_SEES;
+        return from_idl(std::move(map));
+      },
+      [this](GridMap&& map) {
+        map_ = std::move(map);
+        map_at_s_ = service_.clock().steady_s();
+      });
+  loop.on_newest(
+      bodies_reader_,
+      [this](const foretrack_msgs::msg::MovingBodies& bodies) {
+        color_blind_ = bodies.camera() != foretrack_msgs::msg::MovingBodies_Constants::CAMERA_SEES;
+        return from_idl(bodies);
+      },
+      [this](const MovingBodies& bodies) {
+        bodies_ = bodies;
+        bodies_at_s_ = service_.clock().steady_s();
+      });
   loop.on_each(order_reader_,
                [this](const foretrack_msgs::msg::MissionCommand& order) { hear_order(order); });
   loop.every(kTick_s, [this] { tick(); });
@@ -85,14 +99,28 @@ void SafetyGateService::hear_order(const foretrack_msgs::msg::MissionCommand& me
   if (!order) return order_reader_.refuse(order.fault());
   if (orders_.size() >= kMaxOrders) return order_reader_.reject("too many orders at a time");
   order->proved = is_proved(service_.node().options().names.vehicle, message);
-  if (order->proved && order->lease_id == state_.mission.lease.id)
-    operator_at_s_ = service_.clock().steady_s();
+  if (proves_the_lease(*order)) operator_at_s_ = service_.clock().steady_s();
+  notice_source(*order);
   orders_.push_back(*order);
+}
+
+bool SafetyGateService::proves_the_lease(const MissionCommand& order) const {
+  return order.proved && order.lease_id == state_.mission.lease.id;
+}
+
+// The lease's holder may have joined the bus anew.
+void SafetyGateService::notice_source(const MissionCommand& order) {
+  const auto others = order_reader_.stats().of_second_writers;
+  if (others != orders_of_others_ && !proves_the_lease(order)) ++strange_orders_;
+  orders_of_others_ = others;
 }
 
 void SafetyGateService::tick() {
   const double now_s = service_.clock().steady_s();
-  if (now_s < now_s_) state_ = GateState();  // a simulation was started anew
+  if (now_s < now_s_) {  // a simulation was started anew
+    state_ = GateState();
+    second_writer_s_ = -1e18;
+  }
   now_s_ = now_s;
   GateInput in;
   in.now_s = now_s;
@@ -107,6 +135,7 @@ void SafetyGateService::tick() {
   in.bodies_at_s = bodies_at_s_;
   if (!orders_.empty()) in.command = &orders_.front();
   in.operator_at_s = operator_at_s_;
+  in.images_blind = is_blind();
   in.writing = memory_.progress();
   const GateResult result = gate(state_, in, params_);
   autopilot_.send(result, in.stamp_now_s);
@@ -136,19 +165,25 @@ bool SafetyGateService::is_news(const GateResult& r) const {
          r.request != AutopilotRequest::kNone;
 }
 
-// Samples of a second writer are not heard; that there is one is.
+// What a dead process said last counts no longer: its silence has its own reaction.
+bool SafetyGateService::is_blind() const {
+  return (color_blind_ && now_s_ - bodies_at_s_ < params_.bodies_stale_s) ||
+         (depth_blind_ && now_s_ - map_at_s_ < params_.map_stale_s);
+}
+
+// Samples of a second writer are not heard, unless they are orders; that there is one is.
 std::string SafetyGateService::alarm() {
-  std::uint64_t samples = 0;
-  std::string topic;
-  for (const EndpointStats* stats :
-       {&plan_reader_.stats(), &vehicle_.stats(), &map_reader_.stats(), &bodies_reader_.stats()}) {
-    const auto refused = stats->rejected_for(kSecondWriter);
-    samples += refused;
-    if (refused > 0) topic = stats->topic;
+  const std::array<const EndpointStats*, 5> inputs = {&order_reader_.stats(), &plan_reader_.stats(),
+                                                      &vehicle_.stats(), &map_reader_.stats(),
+                                                      &bodies_reader_.stats()};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto samples = i == 0 ? strange_orders_ : inputs[i]->rejected_for(kSecondWriter);
+    if (samples == second_writers_[i]) continue;
+    second_writers_[i] = samples;
+    second_writer_s_ = now_s_;
+    second_writer_of_ = inputs[i]->topic;
   }
-  if (samples != second_writers_) second_writer_s_ = now_s_;
-  second_writers_ = samples;
-  return now_s_ - second_writer_s_ < kAlarm_s ? "a second writer of " + topic : "";
+  return now_s_ - second_writer_s_ < kAlarm_s ? "a second writer of " + second_writer_of_ : "";
 }
 
 void SafetyGateService::publish(const GateResult& result) {

@@ -3,6 +3,7 @@
 // heartbeat and requests out.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <string>
@@ -21,7 +22,8 @@ namespace foretrack {
 
 /// Ticks at 100 Hz. The only writer of what the flight controller obeys. Its state goes out at
 /// 20 Hz, and at once when the mode, the flown trajectory or an order's result changes. Plans,
-/// odometry, the map, bodies and the flight controller's status are each heard from one writer.
+/// odometry, the map and bodies are each heard from one writer. Orders are heard from all; a second
+/// writer of them that does not prove the lease is an alarm as well.
 class SafetyGateService {
  public:
   /// Remembers the mission in `memory_file`; empty: nowhere.
@@ -31,10 +33,13 @@ class SafetyGateService {
  private:
   void remember_start(const std::filesystem::path& memory_file);
   void hear_order(const foretrack_msgs::msg::MissionCommand& message);
+  bool proves_the_lease(const MissionCommand& order) const;
+  void notice_source(const MissionCommand& order);
   void tick();
   void tell_turn(const GateResult& now) const;
   void publish(const GateResult& result);
   bool is_news(const GateResult& result) const;
+  bool is_blind() const;
   std::string alarm();
 
   Service& service_;
@@ -54,13 +59,17 @@ class SafetyGateService {
   double map_at_s_ = -1.0;
   std::optional<MovingBodies> bodies_;
   double bodies_at_s_ = -1.0;
+  bool color_blind_ = false, depth_blind_ = false;  // as perception and mapping say with these
   double operator_at_s_ = -1.0;
   std::deque<MissionCommand> orders_;
   GateResult last_;
   double now_s_ = -1e18;  // of the last tick, monotonic
   double reported_s_ = -1e18;
-  std::uint64_t second_writers_ = 0;  // samples of them so far
-  double second_writer_s_ = -1e18;    // when the last one came
+  std::uint64_t orders_of_others_ = 0;             // of a second writer, so far
+  std::uint64_t strange_orders_ = 0;               // and without a proof of the lease
+  std::array<std::uint64_t, 5> second_writers_{};  // samples of them so far, by input
+  double second_writer_s_ = -1e18;                 // when the last one came
+  std::string second_writer_of_;
 };
 
 /// Until the stop is requested.

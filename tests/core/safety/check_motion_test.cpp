@@ -122,12 +122,29 @@ TEST(CheckMotion, AcceptsAPeakThatOnlyTouchesItsLimit) {
   EXPECT_EQ(check_limits(plan, {.acceleration_m_s2 = 0.745}), PlanFault::kTooHard);
 }
 
+TEST(CheckMotion, RefusesAPeakThatIsAboveTheLimitByLessThanItCanTell) {
+  // v = most + 1e-9 − (t − 1/3)² / 10 is above at no place where the halvings look.
+  const double most_m_s = 1.001;
+  QuinticPiece piece{.duration_s = 1.0};
+  piece.coefficients(1, 0) = most_m_s + 1e-9 - 0.1 / 9.0;
+  piece.coefficients(2, 0) = 0.1 / 3.0;
+  piece.coefficients(3, 0) = -0.1 / 3.0;
+  PlannedTrajectory plan = straight_plan(1, 0.0);
+  plan.pieces = {piece};
+  EXPECT_EQ(check_limits(plan, {.speed_m_s = 1.0}), PlanFault::kTooFast);
+  EXPECT_EQ(check_limits(plan, {.speed_m_s = 1.0001}), PlanFault::kNone);
+}
+
 TEST(CheckMotion, RefusesAPlanWithoutAStop) {
   PlannedTrajectory plan = straight_plan(1, 0.0);
   plan.pieces.pop_back();
   EXPECT_EQ(check_shape(plan), PlanFault::kEndsInMotion);
   plan = straight_plan(1, 0.0);
-  plan.pieces.back().coefficients.row(5) = Vec3(0.0, 0.0, 0.02);  // it still accelerates
+  plan.pieces.back().coefficients.row(5) = Vec3(0.0, 0.0, 0.02);  // it still moves
+  EXPECT_EQ(check_shape(plan), PlanFault::kEndsInMotion);
+  plan = straight_plan(1, 0.0);
+  plan.pieces.back().coefficients.row(4) += Vec3(0.0, 0.0, -0.125);
+  plan.pieces.back().coefficients.row(5) += Vec3(0.0, 0.0, 0.1);  // at rest, it still accelerates
   EXPECT_EQ(check_shape(plan), PlanFault::kEndsInMotion);
 }
 

@@ -26,6 +26,10 @@ TEST(FlightBounds, AFenceOfThreeCornersOrMoreIsSoundAndSoIsNone) {
   EXPECT_TRUE(are_valid(fence(many)));
 }
 
+TEST(FlightBounds, AnEdgeThatOnlyPointsAtAnotherOneDoesNotCrossIt) {
+  EXPECT_TRUE(are_valid(fence({{4, 4}, {2, 1}, {0, 4}, {0, 0}, {4, 0}})));
+}
+
 TEST(FlightBounds, RefusesTooFewOrTooManyCornersAndCrossedEdges) {
   EXPECT_FALSE(are_valid(fence({{0, 0}})));
   EXPECT_FALSE(are_valid(fence({{0, 0}, {1, 1}})));

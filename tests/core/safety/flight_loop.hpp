@@ -155,6 +155,17 @@ struct FlightLoop {
                                  .proved = proved};
     return tick(nullptr, &command);
   }
+  /// A ceiling, under the lease of whoever gives it.
+  GateResult order_ceiling(double altitude_max_m, const ShortText& who = "ada") {
+    MissionCommand command{.id = ++last_order,
+                           .stamp_s = stamp_now_s(),
+                           .order = MissionOrder::kSetBounds,
+                           .operator_name = who,
+                           .lease_id = who,
+                           .proved = true};
+    command.bounds.altitude_max_m = altitude_max_m;
+    return tick(nullptr, &command);
+  }
   /// On order, until it flies.
   void take_off_and_track() {
     order(MissionOrder::kStart);

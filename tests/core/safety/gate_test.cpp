@@ -151,6 +151,78 @@ TEST(Gate, HoldsWhereItCameToRestAndNotWhereItHeldBeforeItWasPushedAway) {
   EXPECT_EQ(r.setpoint->position_enu_m, Vec3(0, 4, 1.5));
 }
 
+TEST(Gate, AWaitingPlanThatComesAgainIsNeitherRefusedNorTakenTwice) {
+  Flying loop;
+  const auto first = loop.plan(1001), second = loop.plan(1002, 0.1, 0.045);
+  loop.tick(&first);
+  loop.tick(&second);
+  EXPECT_EQ(loop.tick(&second).refusal, PlanFault::kNone);
+  EXPECT_EQ(loop.run(0.15).plan_id, 1002U);
+}
+
+TEST(Gate, ANewerPlanThatStartsBeforeTheOneThatWaitsIsRefused) {
+  Flying loop;
+  const auto first = loop.plan(1001), late = loop.plan(1002, 0.4, 0.195);
+  loop.tick(&first);
+  loop.tick(&late);
+  ASSERT_TRUE(loop.state.has_next);
+  const auto sooner = loop.plan(1003, 0.1, 0.055);
+  EXPECT_EQ(loop.tick(&sooner).refusal, PlanFault::kOutOfOrder);
+  EXPECT_EQ(loop.run(0.2).plan_id, 1001U);
+  EXPECT_EQ(loop.run(0.3).plan_id, 1002U);
+}
+
+TEST(Gate, HoldsTheEndOfAPlanForAsLongAsThePlannerRepeatsIt) {
+  Flying loop;
+  const auto plan = loop.plan(1001);
+  for (int i = 0; i < 350; ++i) loop.tick(i % 5 == 0 ? &plan : nullptr);
+  EXPECT_EQ(loop.result.mode, SafetyMode::kHover);
+  EXPECT_EQ(loop.result.reason, SafetyReason::kPlanHolds);
+  ASSERT_TRUE(loop.result.setpoint);
+  EXPECT_NEAR(loop.result.setpoint->position_enu_m.x(), 1.25, 1e-9);
+}
+
+TEST(Gate, WithoutAMapOrWithAnOldOneNoPlanIsTaken) {
+  GridMap stamped = open_map();
+  stamped.stamp_s = 1.0;
+  for (const GridMap* map :
+       {static_cast<const GridMap*>(nullptr), static_cast<const GridMap*>(&stamped)}) {
+    Flying loop;
+    loop.extra.map = map;
+    loop.extra.map_at_s = loop.now_s - loop.params.map_stale_s - 0.1;
+    const auto plan = loop.plan(1001);
+    EXPECT_EQ(loop.tick(&plan).refusal, PlanFault::kNoMap);
+    loop.extra.map_at_s = loop.now_s;
+    const auto next = loop.plan(1002);
+    EXPECT_EQ(loop.tick(&next).refusal, map ? PlanFault::kNone : PlanFault::kNoMap);
+  }
+}
+
+TEST(Gate, WithoutOdometryForLongItIsSilent) {
+  Flying loop;
+  loop.vehicle_alive = false;
+  const auto r = loop.run(loop.params.vehicle_lost_s + 0.2);
+  EXPECT_EQ(r.mode, SafetyMode::kSilent);
+  EXPECT_EQ(r.reason, SafetyReason::kVehicleStale);
+  EXPECT_FALSE(r.heartbeat);
+}
+
+TEST(Gate, AVehicleThatIsNotArmedIsNotExpectedToMove) {
+  FlightLoop loop;
+  loop.autopilot.status.armed = false;
+  loop.autopilot.enter(FlightMode::kOffboard);
+  loop.autopilot.answer.reset();
+  loop.autopilot.deaf = true;  // it is not armed either
+  loop.order(MissionOrder::kStart);
+  const auto plan = straight_plan(1001, loop.stamp_now_s() + kTick_s);
+  loop.displaced = Vec3(0, 0, 1.5);
+  loop.tick(&plan);
+  loop.tick();
+  ASSERT_TRUE(loop.result.setpoint);
+  EXPECT_GT(loop.result.setpoint->velocity_enu_m_s.norm(), 0.1);
+  EXPECT_EQ(loop.state.commanded_enu_m_s, Vec3::Zero());
+}
+
 TEST(Gate, FliesOnByTheMonotonicClockWhenTheOtherIsSet) {
   for (const double step_s : {3600.0, -3600.0, 0.45}) {
     Flying loop;

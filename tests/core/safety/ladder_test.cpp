@@ -122,6 +122,9 @@ TEST(Ladder, BlindImagesHoldUntilTheySeeAgain) {
   EXPECT_EQ(loop.run_with_plans(1.0).reason, Reason::kImages);
   loop.extra.images_blind = false;
   EXPECT_EQ(loop.run_with_plans(1.0).mode, Mode::kTrack);
+  loop.params.heeds_images = false;
+  loop.extra.images_blind = true;
+  EXPECT_EQ(loop.run_with_plans(1.0).mode, Mode::kTrack);
 }
 
 TEST(Ladder, TheWholeLoopAllocatesNothing) {

@@ -95,13 +95,8 @@ TEST(Memory, WithoutItsFileTheGateIsIdle) {
 TEST(Memory, KeepsTheLeaseTheBoundsAndTheLastOrderAcrossAKill) {
   FlightLoop loop;
   loop.order(MissionOrder::kLease, "ada");
-  MissionCommand bounds{.id = ++loop.last_order,
-                        .stamp_s = loop.stamp_now_s(),
-                        .order = MissionOrder::kSetBounds,
-                        .lease_id = "ada",
-                        .proved = true};
-  bounds.bounds.altitude_max_m = 12.0;
-  ASSERT_EQ(loop.tick(nullptr, &bounds).command_result, MissionResult::kAccepted);
+  ASSERT_EQ(loop.order_ceiling(12.0).command_result, MissionResult::kAccepted);
+  const MissionCommand bounds = loop.state.order.last;
   kill_and_restart(loop);
   EXPECT_EQ(loop.state.mission.bounds.altitude_max_m, 12.0);
   EXPECT_EQ(loop.state.mission.lease.operator_name.view(), "ada");
@@ -110,6 +105,30 @@ TEST(Memory, KeepsTheLeaseTheBoundsAndTheLastOrderAcrossAKill) {
   EXPECT_EQ(loop.order(MissionOrder::kLease, "ada").command_result, MissionResult::kAccepted);
   loop.run(loop.params.lease_s + 0.1);
   EXPECT_EQ(loop.order(MissionOrder::kLease, "bob").command_result, MissionResult::kAccepted);
+}
+
+TEST(Memory, NothingIsResumedWhateverWasDoneBeforeTheKill) {
+  using P = MissionPhase;
+  constexpr std::pair<P, P> kRestarts[] = {{P::kIdle, P::kIdle},        {P::kTracking, P::kHolding},
+                                           {P::kHolding, P::kHolding},  {P::kReturning, P::kIdle},
+                                           {P::kLanding, P::kIdle},     {P::kStopped, P::kStopped},
+                                           {P::kStarting, P::kHolding}, {P::kTakingOff, P::kIdle}};
+  for (const auto& [before, after] : kRestarts) {
+    GateMemory memory;
+    memory.phase = before;
+    EXPECT_EQ(mission_of(memory, 0.0, {}).phase, after) << to_string(before);
+  }
+}
+
+TEST(Memory, TheSameLeaseUnderAnotherNameIsNews) {
+  FlightLoop loop;
+  loop.order(MissionOrder::kLease, "ada");
+  MissionCommand renewal = loop.state.order.last;
+  renewal.id = ++loop.last_order;
+  renewal.stamp_s = loop.stamp_now_s();
+  renewal.operator_name = "bea";
+  EXPECT_TRUE(loop.tick(nullptr, &renewal).memory_changed);
+  EXPECT_EQ(loop.state.memory.lease_operator.view(), "bea");
 }
 
 TEST(Memory, OfAnotherVersionOrDamagedIsAsNone) {
@@ -183,6 +202,19 @@ TEST(Memory, AFailedWriteUndoesAStart) {
   EXPECT_EQ(loop.autopilot.total(), 0);
 }
 
+TEST(Memory, AFailedWriteUndoesATakeOff) {
+  FlightLoop loop;
+  loop.autopilot.status.armed = false;
+  loop.autopilot.answer = CommandResult::kInProgress;
+  loop.autopilot.deaf = true;
+  loop.extra.writing.written_revision = 0;
+  loop.order(MissionOrder::kTakeOff);
+  ASSERT_EQ(loop.result.phase, MissionPhase::kTakingOff);
+  loop.extra.writing.failed_revision = loop.state.memory.revision;
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kIdle);
+}
+
 TEST(Memory, AFailedWriteUndoesAResumeToAHold) {
   Unwritten loop;
   loop.order(MissionOrder::kHold);
@@ -212,15 +244,145 @@ TEST(Memory, AFailedWriteUndoesALeaseAndBounds) {
   loop.fail();
   EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
   EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
-  MissionCommand bounds{
-      .id = ++loop.last_order, .stamp_s = loop.stamp_now_s(), .order = MissionOrder::kSetBounds};
-  bounds.bounds.altitude_max_m = 12.0;
-  loop.tick(nullptr, &bounds);
+  loop.order(MissionOrder::kLease, "ada");
+  loop.write();
+  loop.order_ceiling(12.0);
   EXPECT_EQ(loop.state.mission.bounds.altitude_max_m, 12.0);
   loop.fail();
   EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
   EXPECT_EQ(loop.state.mission.bounds, FlightBounds{});
   EXPECT_EQ(loop.result.phase, MissionPhase::kTracking);
+}
+
+// ── orders that come while another one is being written ──
+
+TEST(Memory, ARefusedOrderIsAnsweredAndDoesNotHideTheOneThatIsBeingWritten) {
+  for (const bool written : {true, false}) {
+    Unwritten loop;
+    loop.order(MissionOrder::kHold);
+    loop.write();
+    loop.tick();
+    loop.order(MissionOrder::kResume);
+    const auto resume = loop.last_order;
+    EXPECT_EQ(loop.order(MissionOrder::kResume).command_result, MissionResult::kRefusedPhase);
+    EXPECT_EQ(loop.result.command_id, resume + 1);
+    written ? loop.write() : loop.fail();
+    loop.tick();
+    EXPECT_EQ(loop.result.command_id, resume) << "it is answered, too";
+    EXPECT_EQ(loop.result.command_result,
+              written ? MissionResult::kAccepted : MissionResult::kRefusedUnwritten);
+    EXPECT_EQ(loop.result.phase, written ? MissionPhase::kTracking : MissionPhase::kHolding);
+  }
+}
+
+TEST(Memory, AStrangersRefusedOrderDoesNotKeepALeaseThatCannotBeWritten) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  EXPECT_EQ(loop.order(MissionOrder::kHold, "bob").command_result, MissionResult::kRefusedForeign);
+  loop.fail();
+  loop.tick();
+  EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
+}
+
+TEST(Memory, AFailedWriteUndoesAllThatWaitedForItToWhatWasBefore) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  loop.order_ceiling(12.0);
+  loop.order_ceiling(14.0);
+  loop.fail();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
+  EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
+  EXPECT_EQ(loop.state.mission.bounds, FlightBounds{});
+  loop.write();  // that it is undone
+  loop.tick();
+  EXPECT_EQ(mission_of(loop.state.memory, 0.0, {}).bounds, FlightBounds{});
+}
+
+TEST(Memory, AStopThatCameAfterAStartIsAcceptedAlthoughNeitherCanBeWritten) {
+  Unwritten loop;
+  loop.order(MissionOrder::kHold);
+  loop.write();
+  loop.tick();
+  loop.order(MissionOrder::kResume);
+  loop.order(MissionOrder::kStop);
+  loop.fail();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kAcceptedUnwritten);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kStopped);
+}
+
+TEST(Memory, ARepeatedStopIsConfirmedNoSoonerThanTheFirst) {
+  Unwritten loop;
+  loop.order(MissionOrder::kStop);
+  EXPECT_EQ(loop.order(MissionOrder::kStop).command_result, MissionResult::kPending);
+  loop.write();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.order(MissionOrder::kStop).command_result, MissionResult::kAccepted)
+      << "nothing of it is to be written";
+}
+
+TEST(Memory, EachOrderThatWaitedIsAnswered) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  loop.write();
+  loop.tick();
+  loop.order(MissionOrder::kHold, "ada");
+  const auto hold = loop.last_order;
+  EXPECT_EQ(loop.order(MissionOrder::kLease, "ada").command_result, MissionResult::kPending);
+  loop.write();
+  EXPECT_EQ(loop.order(MissionOrder::kStart, "ada").command_result, MissionResult::kRefusedPhase)
+      << "an answer does not take another one's place";
+  EXPECT_EQ(loop.tick().command_id, hold);
+  EXPECT_EQ(loop.result.command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.tick().command_id, hold + 1);
+  EXPECT_EQ(loop.result.command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.tick().command_id, hold + 1);
+}
+
+TEST(Memory, OfManyOrdersThatWaitTheNewestAreAnswered) {
+  Unwritten loop;
+  for (int i = 0; i < 20; ++i) loop.order(MissionOrder::kStop);
+  loop.write();
+  for (int i = 0; i < UnwrittenOrders::kCapacity; ++i)
+    EXPECT_EQ(loop.tick().command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.result.command_id, loop.last_order);
+}
+
+TEST(Memory, AReleaseStandsAlthoughItCannotBeWrittenAndTheLeaseAfterItIsUndoneToNone) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  loop.write();
+  loop.tick();
+  loop.order(MissionOrder::kRelease, "ada");
+  loop.order(MissionOrder::kLease, "bob");
+  loop.fail();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kAcceptedUnwritten);
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
+  EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
+}
+
+TEST(Memory, ALeaseThatIsTakenAnewBeforeItIsWrittenIsUndoneToWhatWasBefore) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  loop.run(loop.params.lease_s + 0.1);  // the disk is slow
+  loop.order(MissionOrder::kLease, "bob");
+  loop.fail();
+  loop.tick();
+  EXPECT_TRUE(loop.state.mission.lease.id.empty());
+}
+
+TEST(Memory, AReleaseIsAcceptedAlthoughTheStartBeforeItIsUndone) {
+  Unwritten loop;
+  loop.order(MissionOrder::kLease, "ada");
+  loop.order(MissionOrder::kHold, "ada");
+  loop.write();
+  loop.tick();
+  loop.order(MissionOrder::kResume, "ada");
+  loop.order(MissionOrder::kRelease, "ada");
+  loop.fail();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kAcceptedUnwritten);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kHolding);
+  EXPECT_FALSE(loop.state.mission.lease.is_held(loop.now_s));
 }
 
 }  // namespace

@@ -214,7 +214,6 @@ TEST(Mission, OrdersMoveItFromPhaseToPhase) {
       {P::kStarting, O::kStop, false, P::kStopped},
       {P::kTracking, O::kLease, true, P::kTracking},
       {P::kTracking, O::kRelease, true, P::kTracking},
-      {P::kTracking, O::kSetBounds, true, P::kTracking},
   };
   for (const Move& move : moves) {
     Orders orders;
@@ -229,6 +228,7 @@ TEST(Mission, OrdersMoveItFromPhaseToPhase) {
 
 TEST(Mission, TakesBoundsThatAreSoundAndKeepsTheLastOnes) {
   Orders orders;
+  ASSERT_EQ(orders.give(MissionOrder::kLease), MissionResult::kAccepted);
   MissionCommand command = orders.order(MissionOrder::kSetBounds);
   command.bounds.altitude_max_m = 10.0;
   EXPECT_EQ(orders.give(command), MissionResult::kAccepted);
@@ -236,6 +236,18 @@ TEST(Mission, TakesBoundsThatAreSoundAndKeepsTheLastOnes) {
   command.bounds.corner_count = 2;
   EXPECT_EQ(orders.give(command), MissionResult::kRefusedBounds);
   EXPECT_EQ(orders.mission.bounds.altitude_max_m, 10.0);
+}
+
+TEST(Mission, TakesBoundsFromTheLeasesHolderAlone) {
+  Orders orders;
+  EXPECT_EQ(orders.give(MissionOrder::kSetBounds), MissionResult::kRefusedUnproved)
+      << "nobody holds the lease";
+  ASSERT_EQ(orders.give(MissionOrder::kLease), MissionResult::kAccepted);
+  EXPECT_EQ(orders.give(MissionOrder::kSetBounds, "bob"), MissionResult::kRefusedForeign);
+  orders.proved = false;
+  EXPECT_EQ(orders.give(MissionOrder::kSetBounds), MissionResult::kRefusedUnproved);
+  orders.proved = true;
+  EXPECT_EQ(orders.give(MissionOrder::kSetBounds), MissionResult::kAccepted);
 }
 
 TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {

@@ -504,6 +504,81 @@ TEST(Takeover, AHoldThatLandsAllTheSameIsIdleOnTheGround) {
   EXPECT_EQ(loop.result.end, MissionEnd::kDisarmed);
 }
 
+TEST(Takeover, AReturnThatLandsAtOnceIsLeftToTheFlightController) {
+  FlightLoop loop;
+  loop.take_off_and_track();
+  loop.autopilot.answer.reset();
+  loop.autopilot.deaf = true;
+  loop.order(MissionOrder::kReturn);
+  loop.autopilot.enter(FlightMode::kLand);
+  loop.run(5.0);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kReturning);
+  EXPECT_FALSE(loop.result.heartbeat);
+}
+
+TEST(Takeover, AVehicleThatDisarmsWhileItIsAskedToLandHasLanded) {
+  FlightLoop loop;  // flown by the flight controller alone
+  loop.autopilot.answer.reset();
+  loop.autopilot.deaf = true;
+  loop.order(MissionOrder::kLand);
+  ASSERT_EQ(loop.autopilot.count(Request::kLand), 1);
+  loop.autopilot.status.armed = false;
+  loop.run(1.0);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kIdle);
+  EXPECT_EQ(loop.result.end, MissionEnd::kDone);
+}
+
+TEST(Takeover, AStartFromAPilotsModeEndsWhenThePilotTakesTheVehicle) {
+  FlightLoop loop;
+  loop.autopilot.enter(FlightMode::kPilot);
+  loop.order(MissionOrder::kStart);
+  loop.run_with_plans(0.5);
+  ASSERT_EQ(loop.result.phase, MissionPhase::kStarting);
+  loop.autopilot.status.user_took_over = true;
+  loop.run_with_plans(5.0);
+  EXPECT_EQ(loop.result.end, MissionEnd::kPilot);
+  EXPECT_EQ(loop.autopilot.total(), 0);
+}
+
+TEST(Takeover, ATakeOffIsOverWhenSomebodyChoosesAnotherMode) {
+  OnTheGround loop;
+  loop.order(MissionOrder::kTakeOff);
+  loop.run(5.0);
+  ASSERT_EQ(loop.result.phase, MissionPhase::kTakingOff);
+  loop.autopilot.enter(FlightMode::kOther);
+  EXPECT_EQ(loop.run(1.0).phase, MissionPhase::kIdle);
+  EXPECT_EQ(loop.result.end, MissionEnd::kOtherMode);
+}
+
+TEST(Takeover, AStopDuringATakeOffIsAskedOfTheFlightControllerOnce) {
+  OnTheGround loop;
+  loop.order(MissionOrder::kTakeOff);
+  loop.run(5.0);
+  loop.order(MissionOrder::kStop);
+  loop.run(5.0);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kStopped);
+  EXPECT_EQ(loop.autopilot.count(Request::kHold), 1);
+}
+
+// The status changes in the same tick in which the order to stop comes.
+TEST(Takeover, AStopAsksForNothingOfWhoHoldsIsOnTheGroundOrActsInAFailsafe) {
+  const std::function<void(AutopilotStatus&)> happen[] = {
+      [](auto& s) { enter(s, FlightMode::kHold); }, [](auto& s) { s.armed = false; },
+      [](auto& s) { s.failsafe = true; }};
+  for (const auto& happens : happen) {
+    FlightLoop loop;
+    loop.take_off_and_track();
+    loop.order(MissionOrder::kReturn);
+    loop.run(1.0);
+    loop.autopilot.asked = {};
+    happens(loop.autopilot.status);
+    loop.order(MissionOrder::kStop);
+    loop.run(5.0);
+    EXPECT_EQ(loop.result.phase, MissionPhase::kStopped);
+    EXPECT_EQ(loop.autopilot.total(), 0);
+  }
+}
+
 TEST(Takeover, WorksWithAFlightControllerThatDoesNotNameItsModes) {
   FlightLoop loop;
   loop.take_off_and_track();

@@ -89,6 +89,12 @@ TEST(WatchImage, DepthThatIsNowhereOrAllTooNearIsCovered) {
   EXPECT_EQ(fault, ImageFault::kCovered);
 }
 
+TEST(WatchImage, DepthWhereNothingIsWithinReachIsNeitherCoveredNorFrozen) {
+  Camera high;
+  const std::vector<float> sky(64 * 48, INFINITY);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(high.depth(sky), ImageFault::kNone);
+}
+
 TEST(WatchImage, StatisticsCountWhatIsThere) {
   const std::vector<std::uint8_t> grey(1600, 100);
   const auto color = statistics_of(std::span<const std::uint8_t>(grey));
@@ -97,7 +103,7 @@ TEST(WatchImage, StatisticsCountWhatIsThere) {
   std::vector<float> half(1600, 2.0F);
   for (std::size_t i = 0; i < half.size(); i += 8) half[i] = i % 16 ? NAN : INFINITY;
   const auto depth = statistics_of(std::span<const float>(half));
-  EXPECT_DOUBLE_EQ(depth.valid_share, 0.5);
+  EXPECT_DOUBLE_EQ(depth.valid_share, 0.75);
   EXPECT_DOUBLE_EQ(depth.mean, 2.0);
   half[4] = 2.5F;
   EXPECT_NE(statistics_of(std::span<const float>(half)).fingerprint, depth.fingerprint);

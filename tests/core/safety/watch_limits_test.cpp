@@ -82,7 +82,7 @@ TEST(WatchLimits, OutsideOfTheAltitudesItHoldsButBeginsOnTheGround) {
   EXPECT_EQ(loop.result.reason, SafetyReason::kAltitude);
   Flying high;
   high.params.altitude_max_m = 1.4;
-  high.state.limits.has_climbed = true;
+  high.state.limits = {};  // as of a gate that was started again
   EXPECT_EQ(high.run_with_plans(1.0).reason, SafetyReason::kAltitude);
 }
 
@@ -133,6 +133,25 @@ TEST(WatchLimits, WithoutAStationItFliesUnlessOneWasAskedFor) {
     asked.run_with_plans(0.1);
   }
   EXPECT_EQ(asked.result.mode, SafetyMode::kTrack);
+}
+
+TEST(WatchLimits, EachLimitSendsItHomeOrDownAndSaysWhy) {
+  Flying link;
+  link.params.link_timeout_s = 2.0;
+  link.params.link_reaction = static_cast<int>(Reaction::kReturn);
+  link.run_with_plans(5.0);
+  EXPECT_EQ(link.result.phase, MissionPhase::kReturning);
+  EXPECT_EQ(link.result.end, MissionEnd::kLink);
+  Flying fenced;
+  fenced.params.fence_reaction = static_cast<int>(Reaction::kLand);
+  fenced.state.mission.bounds = fence();
+  for (double x_m = 0.1; x_m < 2.15; x_m += 0.1) {
+    fenced.displaced = Vec3(x_m, 0, 1.5);
+    fenced.run_with_plans(0.4);
+  }
+  EXPECT_EQ(fenced.result.phase, MissionPhase::kLanding);
+  EXPECT_EQ(fenced.result.end, MissionEnd::kFence);
+  EXPECT_EQ(fenced.autopilot.total(), 1);
 }
 
 TEST(WatchLimits, AHoldingMissionIsNotSentHomeByALimit) {

@@ -56,6 +56,18 @@ TEST(WatchOdometry, FrozenWithNewStampsBrakesOnceMotionIsCommanded) {
   EXPECT_EQ(loop.result.mode, SafetyMode::kBrake);
 }
 
+TEST(WatchOdometry, AFastCommandGivesTheVehicleTimeToBeginToMove) {
+  OdometryWatch watch;
+  const OdometryParams params;
+  const Vec3 commanded_m_s(10.0, 0.0, 0.0);
+  double now_s = 1.0;
+  for (; now_s < 1.4; now_s += 0.01)
+    EXPECT_EQ(watch_odometry(watch, commanded_m_s, 0.01, now_s, params), OdometryFault::kNone);
+  EXPECT_GT(watch.commanded_m, params.frozen_path_m);
+  for (; now_s < 1.6; now_s += 0.01) watch_odometry(watch, commanded_m_s, 0.01, now_s, params);
+  EXPECT_EQ(watch.fault, OdometryFault::kFrozen);
+}
+
 TEST(WatchOdometry, AFrozenOneIsBelievedAgainWhenItStirsAndNotBefore) {
   Flying loop;
   loop.displaced = loop.vehicle.position_enu_m;

@@ -157,6 +157,27 @@ TEST(Reader, AsksTheServiceToo) {
   EXPECT_EQ(reader.stats().samples, 1u);
 }
 
+TEST(Reader, MayHearASecondWriterAndCountIt) {
+  Pair pair;
+  Node other(node_options("other"));
+  Writer<topics::TargetState> second(other);
+  pair.reader.notice_second_writers(5.0);
+  ASSERT_TRUE(eventually([&] { return second.readers() == 1 && pair.reader.writers() == 2; }));
+  bool heard = false;
+  ASSERT_TRUE(eventually([&] {
+    pair.writer.write(tracking_at(1.0));
+    return pair.reader.take_newest() != nullptr;
+  }));
+  EXPECT_EQ(pair.reader.stats().of_second_writers, 0u);
+  EXPECT_TRUE(eventually([&] {
+    second.write(tracking_at(2.0));
+    pair.reader.take_each([&](const TargetState& s) { heard |= s.position_m()[0] == 2.0; });
+    return heard;
+  }));
+  EXPECT_GT(pair.reader.stats().of_second_writers, 0u);
+  EXPECT_EQ(pair.reader.stats().rejected_for(kSecondWriter), 0u);
+}
+
 TEST(Reader, HearsOneWriterAloneUntilItFallsSilent) {
   Pair pair;
   Node intruder(node_options("intruder"));

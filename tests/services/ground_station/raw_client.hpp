@@ -81,9 +81,10 @@ inline std::string frame(unsigned char first_byte, const std::string& payload) {
   const auto size = payload.size();
   if (size < 126) {
     bytes += static_cast<char>(0x80 | size);
-  } else {
-    bytes += static_cast<char>(0x80 | 127);
-    for (int i = 7; i >= 0; --i) bytes += static_cast<char>(size >> (8 * i));
+  } else {  // in as few bytes as it can be, or it is refused
+    const bool is_short = size < 65536;
+    bytes += static_cast<char>(0x80 | (is_short ? 126 : 127));
+    for (int i = is_short ? 1 : 7; i >= 0; --i) bytes += static_cast<char>(size >> (8 * i));
   }
   return bytes + std::string(4, '\0') + payload;
 }

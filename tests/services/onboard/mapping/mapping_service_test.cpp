@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/mapping/mapping_service.hpp"
 
+#include "core/common/random.hpp"
 #include "services/convert/bodies.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
@@ -77,6 +78,29 @@ TEST_F(MappingOnDds, WhatAPersonCoversIsNoWallAndEveryImageSaysWhoMoves) {
         bodies.write();
         feed();
       }));
+}
+
+TEST_F(MappingOnDds, SaysWithTheMapWhenDepthIsFrozenOrCovered) {
+  namespace m = foretrack_msgs::msg::LocalMap_Constants;
+  Random random(1);
+  std::uint8_t said = m::CAMERA_SEES;
+  const auto says = [&](std::uint8_t wanted, const std::function<float()>& depth_m) {
+    return neighbours_.until(
+        [&] {
+          map_reader_.take_each([&](const auto& message) { said = message.camera(); });
+          return said == wanted;
+        },
+        [&] {
+          neighbours_.vehicle.position_enu_m.y() += 0.05;
+          std::ranges::generate(wall_.depth_m, depth_m);
+          feed();
+        });
+  };
+  const auto wall = [&] { return static_cast<float>(random.uniform(1.9, 2.1)); };
+  EXPECT_TRUE(says(m::CAMERA_FROZEN, [] { return 2.0F; }));
+  EXPECT_TRUE(says(m::CAMERA_SEES, wall));
+  EXPECT_TRUE(says(m::CAMERA_COVERED, [] { return 0.0F; }));
+  EXPECT_TRUE(says(m::CAMERA_SEES, wall));
 }
 
 TEST_F(MappingOnDds, GivesItsOctreeToWhoAsks) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/perception/perception_service.hpp"
 
+#include "core/common/random.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "services/convert/bodies.hpp"
+#include "services/convert/image.hpp"
 #include "services/convert/target.hpp"
 #include "tests/services/onboard/neighbours.hpp"
 
@@ -66,6 +68,43 @@ class PerceptionOnDds : public ::testing::Test {
 
 TEST_F(PerceptionOnDds, SaysThatItHasNeverSeenTheTarget) {
   EXPECT_TRUE(neighbours_.until([&] { return says(TrackStatus::kNone); }));
+}
+
+TEST_F(PerceptionOnDds, SaysWithTheBodiesWhenColourImagesAreFrozenDarkOrCovered) {
+  namespace b = foretrack_msgs::msg::MovingBodies_Constants;
+  Writer<topics::ColorImage> images(neighbours_.node());
+  Reader<topics::MovingBodies> bodies(neighbours_.node());
+  Random random(1);
+  std::uint8_t said = b::CAMERA_SEES;
+  double x_m = 0.0;
+  const auto says_of = [&](const std::function<std::uint8_t()>& pixel, std::uint8_t wanted,
+                           bool new_pixels = true) {
+    RgbImage image;
+    image.width_px = 64;
+    image.height_px = 48;
+    image.rgb.resize(64 * 48 * 3);
+    std::ranges::generate(image.rgb, pixel);
+    return neighbours_.until(
+        [&] {
+          bodies.take_each([&](const auto& message) { said = message.camera(); });
+          return said == wanted;
+        },
+        [&] {
+          neighbours_.vehicle.position_enu_m.x() = x_m += 0.05;
+          feed();
+          if (new_pixels) std::ranges::generate(image.rgb, pixel);
+          to_idl(image, neighbours_.now_s(), images.sample());
+          images.write();
+        });
+  };
+  const auto scene = [&] { return static_cast<std::uint8_t>(random.integer(40, 200)); };
+  const auto night = [&] { return static_cast<std::uint8_t>(random.integer(0, 4)); };
+  const auto hand = [&] { return static_cast<std::uint8_t>(random.integer(99, 101)); };
+  EXPECT_TRUE(says_of(scene, b::CAMERA_FROZEN, false));
+  EXPECT_TRUE(says_of(scene, b::CAMERA_SEES));
+  EXPECT_TRUE(says_of(night, b::CAMERA_DARK));
+  EXPECT_TRUE(says_of(hand, b::CAMERA_COVERED));
+  EXPECT_TRUE(says_of(scene, b::CAMERA_SEES));
 }
 
 TEST_F(PerceptionOnDds, TracksWhatIsObserved) {

@@ -4,6 +4,7 @@
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
 #include "core/simulator/autopilot.hpp"
+#include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/order_proof.hpp"
 #include "services/convert/px4.hpp"
@@ -95,7 +96,8 @@ class SafetyGateOnDds : public ::testing::Test {
     to_idl(MissionCommand{.id = id > 0 ? id : order_id_,
                           .stamp_s = neighbours_.now_s(),
                           .order = order,
-                          .operator_name = name},
+                          .operator_name = name,
+                          .bounds = bounds_},
            order_.sample());
     if (key) key->sign("uav1", order_.sample());
     order_.write();
@@ -104,6 +106,7 @@ class SafetyGateOnDds : public ::testing::Test {
     neighbours_.send_odometry();
     step_autopilot();
     send_plan();
+    if (besides_) besides_();
   }
   bool until(const std::function<bool()>& condition) {
     return neighbours_.until(
@@ -126,6 +129,7 @@ class SafetyGateOnDds : public ::testing::Test {
   bool says(SafetyMode mode, SafetyReason reason) {
     return says(mode) && report_.result.reason == reason;
   }
+  bool alarms(const std::string& topic) { return report_.alarm.find(topic) != std::string::npos; }
   bool says(MissionPhase phase) { return reports_ > 0 && report_.result.phase == phase; }
   bool ended(MissionEnd why) { return says(MissionPhase::kIdle) && report_.result.end == why; }
   // Sends the order, once the gate hears, until it has answered.
@@ -178,6 +182,8 @@ class SafetyGateOnDds : public ::testing::Test {
   std::deque<px4_msgs::msg::VehicleCommand> waiting_;
   std::vector<AutopilotCommand> asked_;  // of the flight controller, so far
   std::uint64_t plan_id_ = 100, order_id_ = 0;
+  FlightBounds bounds_;            // of an order to set them
+  std::function<void()> besides_;  // what else comes at 50 Hz
   GateReport report_;
   std::string text_;
   Setpoint setpoint_;
@@ -285,6 +291,7 @@ TEST_F(SafetyGateOnDds, StopOutlivesAKillAndNothingIsResumed) {
 }
 
 TEST_F(SafetyGateOnDds, AKilledGateThatTrackedHoldsUntilItIsTold) {
+  autopilot_.params.heartbeat_timeout_s = 10.0;  // a busy machine starts processes slowly
   ASSERT_TRUE(tracks());
   start_gate();
   EXPECT_TRUE(until([&] { return says(MissionPhase::kHolding); })) << text_;
@@ -354,15 +361,143 @@ TEST_F(SafetyGateOnDds, HearsOneWriterOfPlansAndRaisesAnAlarmForASecond) {
   ASSERT_TRUE(tracks());
   Node intruder(node_options("intruder"));
   Writer<topics::PlannedTrajectory> second(intruder);
-  EXPECT_TRUE(until([&] {
+  besides_ = [&] {
     PlannedTrajectory plan = hover_plan();
     plan.pieces[0].coefficients.row(0) = Vec3(0.0, 0.3, 1.5).transpose();
     to_idl(plan, second.sample());
     second.write();
-    return report_.alarm.find("plan/trajectory") != std::string::npos;
-  })) << text_;
+  };
+  EXPECT_TRUE(until([&] { return alarms("plan/trajectory"); })) << text_;
+  besides_ = {};
   EXPECT_LT((setpoint_.position_enu_m - neighbours_.vehicle.position_enu_m).norm(), 1e-3);
-  EXPECT_TRUE(says(SafetyMode::kTrack));
+  EXPECT_TRUE(until([&] { return says(SafetyMode::kTrack); })) << text_;
+  EXPECT_LT((setpoint_.position_enu_m - neighbours_.vehicle.position_enu_m).norm(), 1e-3);
+}
+
+// ── whose orders they are ──
+
+TEST_F(SafetyGateOnDds, AStrangersOrdersAreAnAlarmAndTheirStopActsAllTheSame) {
+  ASSERT_TRUE(tracks());
+  const LeaseKey ada;
+  ASSERT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
+  Node stranger(node_options("stranger"));
+  Writer<topics::MissionCommand> second(stranger);
+  auto strange = MissionOrder::kHold;
+  const auto write_strange = [&] {
+    to_idl(MissionCommand{.id = ++order_id_, .stamp_s = neighbours_.now_s(), .order = strange},
+           second.sample());
+    second.write();
+  };
+  besides_ = [&] {
+    send_order(MissionOrder::kLease, &ada);
+    write_strange();
+  };
+  EXPECT_TRUE(until([&] { return alarms("mission/command"); })) << text_;
+  EXPECT_TRUE(says(MissionPhase::kTracking)) << text_;
+  strange = MissionOrder::kStop;
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kStopped); })) << text_;
+}
+
+TEST_F(SafetyGateOnDds, WithoutALeaseASecondSourceIsAnAlarmAndItsLandingActs) {
+  ASSERT_TRUE(tracks());
+  Node stranger(node_options("stranger"));
+  Writer<topics::MissionCommand> second(stranger);
+  besides_ = [&] {
+    send_order(MissionOrder::kRelease);  // says nothing new
+    to_idl(
+        MissionCommand{
+            .id = ++order_id_, .stamp_s = neighbours_.now_s(), .order = MissionOrder::kLand},
+        second.sample());
+    second.write();
+  };
+  EXPECT_TRUE(until([&] { return says(MissionPhase::kLanding); })) << text_;
+  EXPECT_TRUE(until([&] { return alarms("mission/command"); })) << text_;
+}
+
+TEST_F(SafetyGateOnDds, TheLeasesHolderMayJoinTheBusAnewWithoutAnAlarm) {
+  const LeaseKey ada;
+  ASSERT_TRUE(ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada));
+  Node again(node_options("station"));
+  Writer<topics::MissionCommand> second(again);
+  std::uint64_t heard = 0;
+  besides_ = [&] {
+    send_order(MissionOrder::kLease, &ada);
+    to_idl(MissionCommand{.id = ++order_id_,
+                          .stamp_s = neighbours_.now_s(),
+                          .order = MissionOrder::kLease,
+                          .operator_name = "ada again"},
+           second.sample());
+    ada.sign("uav1", second.sample());
+    second.write();
+  };
+  EXPECT_TRUE(until([&] {
+    EXPECT_EQ(report_.alarm, "");
+    heard += report_.operator_name == "ada again";
+    return heard >= 20;
+  })) << text_;
+}
+
+TEST_F(SafetyGateOnDds, BoundsAreSetUnderTheLeaseAloneAndOutliveAKill) {
+  autopilot_.params.heartbeat_timeout_s = 10.0;  // a busy machine starts processes slowly
+  const LeaseKey ada;
+  const auto under_lease = [&](MissionOrder order, MissionResult result) {
+    return ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada) &&
+           ordered(order, result, &ada);
+  };
+  const auto is_outside = [&] { return says(SafetyMode::kHover, SafetyReason::kAltitude); };
+  ASSERT_TRUE(tracks());
+  bounds_.altitude_max_m = 1.2;  // the vehicle is above
+  EXPECT_TRUE(ordered(MissionOrder::kSetBounds, MissionResult::kRefusedUnproved));
+  EXPECT_TRUE(ordered(MissionOrder::kSetBounds, MissionResult::kRefusedUnproved, &ada));
+  EXPECT_TRUE(under_lease(MissionOrder::kSetBounds, MissionResult::kAccepted)) << text_;
+  EXPECT_TRUE(until(is_outside)) << text_;
+  start_gate();
+  EXPECT_TRUE(under_lease(MissionOrder::kResume, MissionResult::kAccepted)) << text_;
+  EXPECT_TRUE(until(is_outside)) << text_;
+  bounds_.corner_count = 2;
+  EXPECT_TRUE(under_lease(MissionOrder::kSetBounds, MissionResult::kRefusedBounds)) << text_;
+  bounds_ = {};
+  EXPECT_TRUE(under_lease(MissionOrder::kSetBounds, MissionResult::kAccepted)) << text_;
+  EXPECT_TRUE(until([&] { return says(SafetyMode::kTrack); })) << text_;
+}
+
+// ── eyes ──
+
+TEST_F(SafetyGateOnDds, HoversWhileACameraIsBlindAndFliesOnWhenItSees) {
+  namespace b = foretrack_msgs::msg::MovingBodies_Constants;
+  namespace m = foretrack_msgs::msg::LocalMap_Constants;
+  Writer<topics::MovingBodies> bodies(neighbours_.node());
+  std::uint8_t color = b::CAMERA_SEES;
+  besides_ = [&] {
+    MovingBodies nobody;
+    nobody.stamp_s = neighbours_.now_s();
+    to_idl(nobody, {}, bodies.sample());
+    bodies.sample().camera(color);
+    bodies.write();
+  };
+  const auto hovers = [&] { return says(SafetyMode::kHover, SafetyReason::kImages); };
+  const auto flies = [&] { return says(SafetyMode::kTrack); };
+  ASSERT_TRUE(tracks());
+  for (const auto blind : {b::CAMERA_FROZEN, b::CAMERA_DARK, b::CAMERA_COVERED}) {
+    color = blind;
+    EXPECT_TRUE(until(hovers)) << text_;
+    EXPECT_NE(text_.find("images"), std::string::npos) << text_;
+    color = b::CAMERA_SEES;
+    EXPECT_TRUE(until(flies)) << text_;
+  }
+  const auto map_says = [&](std::uint8_t depth) {
+    to_idl(free_map(0.0), map_.sample());
+    map_.sample().camera(depth);
+    map_.write();
+  };
+  EXPECT_TRUE(until([&] {
+    map_says(m::CAMERA_COVERED);
+    return hovers();
+  })) << text_;
+  EXPECT_TRUE(until([&] {
+    map_says(m::CAMERA_SEES);
+    return flies();
+  })) << text_;
 }
 
 TEST_F(SafetyGateOnDds, ADryRunDecidesAndSendsNothing) {

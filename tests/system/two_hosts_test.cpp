@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// The safety gate on a host of its own, behind a network that loses packets or is cut: what is
+// flown meanwhile, and afterwards.
+#include "services/launch/domain.hpp"
+#include "tests/system/program.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kPartition_s = 10.0;
+constexpr double kLeastGap_m = 0.5;  // from the vehicle's middle to the person's
+
+/// Two network namespaces, and what connects them; gone with their owner.
+class Network {
+ public:
+  explicit Network(const std::filesystem::path& folder)
+      : loss_file_(folder / "loss"),
+        program_((lose("0"), arguments()), folder / "network.out", "/usr/bin/env") {}
+
+  bool is_ready() {
+    eventually([this] { return !program_.running() || is_up(); }, 20.0);
+    if (!program_.running() || !is_up()) return false;
+    std::string word;
+    std::istringstream(program_.output()) >> word >> hosts_[0] >> hosts_[1];
+    return true;
+  }
+  /// The share of packets that is lost.
+  void lose(const std::string& share) {
+    const std::filesystem::path fresh = loss_file_.string() + ".new";
+    std::ofstream(fresh) << share;
+    std::filesystem::rename(fresh, loss_file_);
+  }
+  /// Arguments of /usr/bin/env for the program on one of the hosts.
+  std::vector<std::string> on(int host, std::vector<std::string> words) const {
+    words.insert(words.begin(),
+                 {"nsenter", "--net=/proc/" + hosts_[host] + "/ns/net", FORETRACK_PROGRAM});
+    return words;
+  }
+
+ private:
+  std::vector<std::string> arguments() const {
+    return {"python3", FORETRACK_SOURCE_DIR "/tests/system/two_hosts.py", loss_file_.string()};
+  }
+  bool is_up() const { return program_.output().find("ready") != std::string::npos; }
+
+  std::filesystem::path loss_file_;
+  std::string hosts_[2];
+  Program program_;
+};
+
+constexpr int kVehicle = 0, kGate = 1;  // the hosts
+
+class TwoHosts : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!network_.is_ready()) GTEST_SKIP() << "no network namespaces: not root, or no /dev/net/tun";
+    start(kVehicle, {"simulator", "--scenario", "open_field", "--map", "known", "--endless"});
+    start(kVehicle, {"stages", "--no-mapping", "--use-sim-time"});
+    start(kGate,
+          {"safety_gate", "--use-sim-time", "--state-dir", (folder_.path / "gate").string()});
+    ASSERT_TRUE(flies_on_order());
+  }
+  void start(int host, std::vector<std::string> words) {
+    const auto out = folder_.path / words[0];
+    programs_.push_back(run(host, std::move(words), out));
+  }
+  std::unique_ptr<Program> run(int host, std::vector<std::string> words,
+                               const std::filesystem::path& out) const {
+    words.insert(words.end(), {"--domain", std::to_string(domain_.id())});
+    return std::make_unique<Program>(network_.on(host, std::move(words)), out, "/usr/bin/env");
+  }
+  /// What is seen from there.
+  Json look(int host) {
+    const auto monitor = run(host, {"monitor", "--json", "--for", "1.5"}, folder_.path / "monitor");
+    monitor->wait(20.0);
+    std::istringstream lines(monitor->output());
+    Json last = Json::object();
+    for (std::string line; std::getline(lines, line);)
+      if (auto json = Json::parse(line, nullptr, false); json.is_object()) last = std::move(json);
+    return last;
+  }
+  std::string mode() {
+    const auto safety = look(kGate).value("safety", Json());
+    return safety.is_object() ? safety.value("mode", "") : "";
+  }
+  bool reaches(const std::string& wanted) {
+    return eventually([&] { return mode() == wanted; }, 60.0);
+  }
+  bool order(const std::string& what) {
+    return run(kGate, {"order", what}, folder_.path / "order")->wait(20.0) == 0;
+  }
+  bool flies_on_order() {
+    return eventually(
+        [&] {
+          if (mode() == "track") return true;
+          if (!order("resume")) order("start");
+          return mode() == "track";
+        },
+        60.0);
+  }
+
+  const FreeDomain domain_;
+  Folder folder_;
+  Network network_{folder_.path};
+  std::vector<std::unique_ptr<Program>> programs_;
+};
+
+TEST_F(TwoHosts, AVehicleFollowsAndObeysWhereAThirdOfAllPacketsIsLost) {
+  network_.lose("0.3");
+  int tracked = 0;
+  EXPECT_TRUE(eventually(
+      [&] {
+        if (mode() != "track") return false;
+        const double distance_m = look(kVehicle).value("distance_m", -1.0);
+        if (distance_m < 0.0) return false;  // not heard yet
+        EXPECT_GT(distance_m, kLeastGap_m);
+        return ++tracked >= 5;
+      },
+      60.0))
+      << tracked;
+  EXPECT_TRUE(eventually([&] { return order("hold"); }, 60.0));
+  EXPECT_TRUE(reaches("hover"));
+  EXPECT_TRUE(flies_on_order());
+}
+
+TEST_F(TwoHosts, ACutNetworkStopsTheVehicleAndNothingIsResumedWhenItIsMended) {
+  network_.lose("1");
+  const auto cut = std::chrono::steady_clock::now();
+  EXPECT_TRUE(eventually([&] { return look(kVehicle).value("speed_mps", 9.0) < 0.3; }, 60.0))
+      << "the flight controller holds by itself";
+  std::this_thread::sleep_until(cut + Seconds(kPartition_s));
+  network_.lose("0");
+  EXPECT_TRUE(reaches("silent")) << "it waits for an order";
+  EXPECT_LT(look(kVehicle).value("speed_mps", 9.0), 0.3);
+  EXPECT_EQ(mode(), "silent");
+  EXPECT_TRUE(flies_on_order());
+}
+
+}  // namespace
+}  // namespace foretrack
