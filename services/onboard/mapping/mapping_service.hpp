@@ -13,8 +13,8 @@
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "sensor_msgs/msg/PointCloud2.h"
-#include "services/onboard/inputs.hpp"
 #include "services/onboard/camera_sight.hpp"
+#include "services/onboard/inputs.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {

@@ -11,8 +11,8 @@
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/convert/color_image.hpp"
-#include "services/onboard/inputs.hpp"
 #include "services/onboard/camera_sight.hpp"
+#include "services/onboard/inputs.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
