@@ -50,7 +50,7 @@ Routes routes_of(Crossing crossing, const Vec2& sight, double meet_s, Random& ra
 }
 
 Person walker(double height_m, double start_s, const std::vector<Vec2>& route, double speed_m_s) {
-  return make_person({.height_m = height_m, .start_s = start_s, .stops = {}},
+  return make_person({.height_m = height_m, .start_s = start_s, .stops = {}, .backward = {}},
                      walk_along(route, {.speed_m_s = speed_m_s}), 0.0);
 }
 

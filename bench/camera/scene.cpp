@@ -28,7 +28,7 @@ Scene::Scene(const WalkCase& w, PoseNetwork& n, const PerceptionParams& p, WalkS
       params(p),
       scores(s),
       world(std::move(where)),
-      person(make_person({.height_m = w.height_m, .start_s = 0.3, .stops = {}},
+      person(make_person({.height_m = w.height_m, .start_s = 0.3, .stops = {}, .backward = {}},
                          walk_along(route, {1.4, 3.0, 0.45}), 0.0)),
       camera(make_color_camera({}, world, load_person(w.person))),
       depth(make_depth_camera({}, w.seed)) {

@@ -26,7 +26,7 @@ struct Desk {
   void written() { writing.written_revision = memory.revision; }
   void failed() { writing.failed_revision = memory.revision; }
   MissionResult settled() {
-    settle_order(order, mission, carrying, writing);
+    settle_orders(order, mission, carrying, writing);
     return order.result;
   }
 };
