@@ -27,6 +27,7 @@ struct Desk {
   void failed() { writing.failed_revision = memory.revision; }
   MissionResult settled() {
     settle_orders(order, mission, carrying, writing);
+    answer_order(order);
     return order.result;
   }
 };
