@@ -203,14 +203,14 @@ TEST_F(Bench, SaysWhatIsWrongBeforeAnythingFlies) {
         }
         return std::string();
       }(),
-      HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress, encounters "
-                "and all"));
+      HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress, encounters, "
+                "encounters_all_round and all"));
 }
 
 TEST(Experiments, AreEvaluatedOnSeedsThatNothingIsTunedOn) {
   EXPECT_GE(kFirstEvaluationSeed, 5000u);
   EXPECT_GE(kFirstEncounterSeed, 20001u);
-  EXPECT_EQ(experiments().size(), 6u);
+  EXPECT_EQ(experiments().size(), 7u);
 }
 
 }  // namespace
