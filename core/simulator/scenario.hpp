@@ -50,9 +50,9 @@ struct Scenario {
   LandmarkCameraParams landmark_camera;
   DepthCameraParams depth_camera;
   bool people_all_round = false;  // bystanders are detected on every side, not only ahead
-  bool depth_images = false;   // rendered also with the known map
-  bool color_images = false;   // of the landmark camera, rendered, instead of its landmarks
-  std::string person = "boy";  // who is rendered; services/offline/people has the names
+  bool depth_images = false;      // rendered also with the known map
+  bool color_images = false;      // of the landmark camera, rendered, instead of its landmarks
+  std::string person = "boy";     // who is rendered; services/offline/people has the names
   std::vector<BystanderSpec> bystanders;  // not on the known map
   std::optional<Encounter> encounter;     // what was staged, if something was
   MapSource map = MapSource::kKnown;
