@@ -10,8 +10,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kStep_s = 0.05;
-constexpr double kStands_m_s = 0.05;
+constexpr double kGapStep_s = 0.05;
+constexpr double kMoves_m_s = 0.05;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 constexpr double kLeastWeight = 5.0;  // of what is missing of the least gap, in metres
 constexpr double kReachWeight = 4.0;  // of a gap that bodies can close, against an expected one
@@ -36,7 +36,7 @@ struct Measuring {
       if (after_s > course.horizon_s) continue;
       const double gap_m = expected_gap_m(p, params.hull_radius_m, course.body, time_s);
       if (gap_m < gaps.least_m) gaps.least_m = gap_m, gaps.least_at_s = after_s;
-      gaps.cost += kStep_s * cubed(params.gap_wanted_m - gap_m);
+      gaps.cost += kGapStep_s * cubed(params.gap_wanted_m - gap_m);
     }
   }
   void reach(const Vec3& p, double time_s, Closing& closing) const {
@@ -44,14 +44,14 @@ struct Measuring {
       const double gap_m =
           least_gap_m(p, params.hull_radius_m, course.body, time_s, params.bounds());
       closing.least_m = std::min(closing.least_m, gap_m);
-      closing.cost += kReachWeight * kStep_s * cubed(params.reach_gap_m - gap_m);
+      closing.cost += kReachWeight * kGapStep_s * cubed(params.reach_gap_m - gap_m);
     }
   }
   // Whoever is ahead of a person goes on, whoever is behind stops: the better one counts.
   void reach_both(const PlannedTrajectory& trajectory, double begin_s, const QuinticPiece& stop) {
     Closing stopping, going_on;
     const double end_s = stop.duration_s + params.retreat_s;
-    for (double after_s = 0.0; after_s <= end_s; after_s += kStep_s) {
+    for (double after_s = 0.0; after_s <= end_s; after_s += kGapStep_s) {
       const double t_s = begin_s + after_s, time_s = trajectory.start_s + t_s;
       reach(stop.position(std::min(after_s, stop.duration_s)), time_s, stopping);
       reach(trajectory.position(t_s), time_s, going_on);
@@ -79,13 +79,13 @@ BodyGaps measure_gaps(const PlannedTrajectory& trajectory, double t_s, const Bod
   Measuring m{courses, params, {kFar_m, 0.0, kFar_m, 0.0, true}};
   if (courses.count == 0) return m.gaps;
   const double horizon_s = longest_horizon_s(courses);
-  for (double after_s = 0.0; after_s <= horizon_s; after_s += kStep_s)
+  for (double after_s = 0.0; after_s <= horizon_s; after_s += kGapStep_s)
     m.expect(trajectory.position(t_s + after_s), trajectory.start_s + t_s + after_s, after_s);
 
   const double begin_s = t_s + params.reaction_s;
   const BoundaryState moving{trajectory.position(begin_s), trajectory.velocity(begin_s),
                              trajectory.acceleration(begin_s)};
-  if (moving.velocity.norm() > kStands_m_s)
+  if (moving.velocity.norm() > kMoves_m_s)
     m.reach_both(trajectory, begin_s, make_stop_tail(moving, limits).piece);
   // Passing through somebody quickly is not better than being near for longer.
   m.gaps.cost += kLeastWeight * std::max(params.gap_min_m - m.gaps.least_m, 0.0);

@@ -13,7 +13,8 @@ constexpr double kTorsoShare = 0.674;  // the torso's centre is so high, in body
 constexpr double kTorsoSlack_m = 0.5;  // ground further from where it should be is not believed
 constexpr double kWidestDoubt_m = 0.3;
 constexpr double kVelocityStep_s = 0.05;
-constexpr double kStep_s = 0.25;  // the last places are beyond the end of any path: it stands there
+constexpr double kPlaceStep_s =
+    0.25;  // the last places are beyond the end of any path: it stands there
 constexpr double kVehicleSpeed_m_s = 3.0;  // at which vehicle and body may close in, with their own
 
 // One standard deviation, in the mean over both axes.
@@ -60,10 +61,10 @@ MovingBody body_on(const PredictedPath& path, double age_s, double now_s, const 
   body.velocity_enu_m_s =
       (position_on(path, age_s + kVelocityStep_s) - position_on(path, age_s)) / kVelocityStep_s;
   body.velocity_enu_m_s.z() = 0.0;
-  body.step_s = kStep_s;
+  body.step_s = kPlaceStep_s;
   body.place_count = MovingBody::kMaxPlaces;
   for (int k = 0; k < body.place_count; ++k)
-    body.places_enu_m[k] = place(age_s + kStep_s * (k + 1));
+    body.places_enu_m[k] = place(age_s + kPlaceStep_s * (k + 1));
   return body;
 }
 
