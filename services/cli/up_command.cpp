@@ -48,6 +48,7 @@ int run_up(UpArguments arguments) {
               arguments.spec.vehicle.c_str(), arguments.spec.domain, arguments.out.c_str());
   Node node(node_options(arguments.spec));
   OrderSender start(node, MissionOrder::kStart, "up");  // what is simulated starts by itself
+  start.insist();
   const double begin_s = steady_s();
   while (!stop.requested() && steady_s() - begin_s < arguments.for_s && !launcher.any_given_up()) {
     for (const auto& line : launcher.poll()) std::printf("%s\n", line.c_str());

@@ -47,6 +47,7 @@ class DemoFlight {
         listener_(node_, true),
         start_(node_, MissionOrder::kStart, "demo"),
         log_(options.scenario, [this] { return node_.clock().steady_s(); }) {
+    start_.insist();
     log_.attach(listener_.hooks);
     options_.spec.state_folder = (options_.folder / "state").string();
     for (auto& process : onboard_processes(options_.spec)) launcher_.add(std::move(process));

@@ -39,6 +39,9 @@ void OrderSender::update() {
   reader_.take_each([this](const foretrack_msgs::msg::SafetyState& state) {
     gate_stamp_ = state.header().stamp();
     gate_text_ = state.text().c_str();
+    const auto phase = static_cast<MissionPhase>(state.phase());
+    is_idle_ = phase == MissionPhase::kIdle;
+    has_flown_ |= phase == MissionPhase::kTracking;
     const auto result = static_cast<MissionResult>(state.command_result());
     if (std::ranges::find(sent_, state.command_id()) == sent_.end()) return;
     if (result == MissionResult::kPending)
@@ -47,6 +50,11 @@ void OrderSender::update() {
       take_answer(result);
   });
   const double now_s = steady_s();
+  if (insists_ && is_done() && is_idle_ && !has_flown_) {
+    result_.reset();
+    sending_ = order_;
+    next_s_ = now_s + kAgain_s;
+  }
   if (sending_ && !gate_text_.empty() && writer_.readers() > 0 && now_s >= next_s_) send(now_s);
 }
 

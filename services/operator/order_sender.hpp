@@ -24,6 +24,9 @@ class OrderSender {
   /// Call it about twenty times a second. Sends once the gate is heard, by the gate's own clock,
   /// and again each second, STOP ten times a second, until the gate has answered.
   void update();
+  /// As an operator would who wants to see it fly: a start that is refused, or comes to nothing
+  /// before the vehicle has flown, is given again. On a busy machine the first may come too late.
+  void insist() { insists_ = true; }
   /// None: not yet answered.
   std::optional<MissionResult> result() const { return result_; }
   /// It is answered, and nothing is left to be given back.
@@ -49,6 +52,7 @@ class OrderSender {
   std::vector<std::uint64_t> sent_;  // and not yet answered
   std::uint64_t last_id_ = 0;
   std::optional<MissionResult> result_;
+  bool insists_ = false, is_idle_ = false, has_flown_ = false;
 };
 
 /// The order of that name ("take_off", "bounds"); none: there is no such order.
