@@ -19,7 +19,7 @@ struct PlanInput {
   const IntentionAssessment* intention = nullptr;  // null: no margins beyond the least
   const Prediction* prediction = nullptr;          // null: constant velocity
   const GridMap* map = nullptr;                    // null: nothing can be planned
-  const MovingBodies* bodies = nullptr;            // who moves; null: nobody known. Not read yet
+  const MovingBodies* bodies = nullptr;            // everybody who moves; null: nobody is known
 };
 
 /// The same without what has come too long ago: a stale target is lost; stale predictions,

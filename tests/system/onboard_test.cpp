@@ -16,26 +16,14 @@ class OnboardProcesses : public ::testing::Test {
   std::string mode() {
     Program program(on_domain({"monitor", "--json", "--for", "1.5"}), folder_.path / "monitor");
     program.wait(20.0);
-    std::istringstream lines(program.output());
-    Json last = Json::object();
-    for (std::string line; std::getline(lines, line);)
-      if (auto json = Json::parse(line, nullptr, false); json.is_object()) last = std::move(json);
-    const auto safety = last.value("safety", Json());
-    return safety.is_object() ? safety.value("mode", "") : "";
+    return mode_in(last_json(program.output()));
   }
   bool reaches(const std::string& wanted, double limit_s = 30.0) {
     return eventually([&] { return mode() == wanted; }, limit_s);
   }
-  /// As an operator would: orders, and looks whether it flies. On a busy machine the vehicle may be
-  /// given up, or not be heard yet, just when the order comes.
   bool flies_on_order() {
-    return eventually(
-        [&] {
-          if (mode() == "track") return true;
-          if (!order("resume")) order("start");
-          return mode() == "track";
-        },
-        60.0);
+    return foretrack::flies_on_order([this] { return mode(); },
+                                     [this](const std::string& what) { return order(what); });
   }
   bool order(const std::string& what) {
     Program program(on_domain({"order", what}), folder_.path / "order");

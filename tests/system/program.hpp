@@ -122,4 +122,32 @@ inline std::set<std::string> shared_memory_of(const std::vector<pid_t>& pids) {
   return files;
 }
 
+/// The last line of JSON that was printed; an empty object: there is none.
+inline Json last_json(const std::string& output) {
+  std::istringstream lines(output);
+  Json last = Json::object();
+  for (std::string line; std::getline(lines, line);)
+    if (auto json = Json::parse(line, nullptr, false); json.is_object()) last = std::move(json);
+  return last;
+}
+
+/// The gate's mode in a line of the monitor; empty: nothing is heard of it.
+inline std::string mode_in(const Json& monitor) {
+  const auto safety = monitor.value("safety", Json());
+  return safety.is_object() ? safety.value("mode", "") : "";
+}
+
+/// As an operator would: orders, and looks whether it flies. On a busy machine the vehicle may be
+/// given up, or not be heard yet, just when the order comes.
+inline bool flies_on_order(const std::function<std::string()>& mode,
+                           const std::function<bool(const std::string&)>& order) {
+  return eventually(
+      [&] {
+        if (mode() == "track") return true;
+        if (!order("resume")) order("start");
+        return mode() == "track";
+      },
+      60.0);
+}
+
 }  // namespace foretrack

@@ -73,16 +73,9 @@ class TwoHosts : public ::testing::Test {
   Json look(int host) {
     const auto monitor = run(host, {"monitor", "--json", "--for", "1.5"}, folder_.path / "monitor");
     monitor->wait(20.0);
-    std::istringstream lines(monitor->output());
-    Json last = Json::object();
-    for (std::string line; std::getline(lines, line);)
-      if (auto json = Json::parse(line, nullptr, false); json.is_object()) last = std::move(json);
-    return last;
+    return last_json(monitor->output());
   }
-  std::string mode() {
-    const auto safety = look(kGate).value("safety", Json());
-    return safety.is_object() ? safety.value("mode", "") : "";
-  }
+  std::string mode() { return mode_in(look(kGate)); }
   bool reaches(const std::string& wanted) {
     return eventually([&] { return mode() == wanted; }, 60.0);
   }
@@ -90,13 +83,8 @@ class TwoHosts : public ::testing::Test {
     return run(kGate, {"order", what}, folder_.path / "order")->wait(20.0) == 0;
   }
   bool flies_on_order() {
-    return eventually(
-        [&] {
-          if (mode() == "track") return true;
-          if (!order("resume")) order("start");
-          return mode() == "track";
-        },
-        60.0);
+    return foretrack::flies_on_order([this] { return mode(); },
+                                     [this](const std::string& what) { return order(what); });
   }
 
   const FreeDomain domain_;
