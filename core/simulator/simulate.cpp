@@ -95,9 +95,19 @@ std::vector<Bystander> rendered(const Scenario& scenario, const std::vector<Pers
   return bystanders;
 }
 
+// All that a person does by the clock comes later.
+void wait(Person& person, double dt_s) {
+  person.params.start_s += dt_s;
+  for (StandStill& stop : person.params.stops) stop.at_s += dt_s;
+}
+
 void walk_on(SimulatorState& state, double dt_s) {
-  advance(state.person, dt_s);
-  for (Person& other : state.bystanders) advance(other, dt_s);
+  const auto pass = [&](Person& person) {
+    if (state.people_wait) wait(person, dt_s);
+    advance(person, dt_s);
+  };
+  pass(state.person);
+  for (Person& other : state.bystanders) pass(other);
   if (!state.bystanders.empty())
     place_people(state.scene, state.world.cylinders.size(), state.bystanders);
   if (state.color_camera)

@@ -43,6 +43,7 @@ struct SimulatorState {
   DepthCamera depth_camera;
   std::optional<ColorCamera> color_camera;
   SimulatorOutput output;
+  bool people_wait = false;  ///< nobody walks, and what they do by the clock is put off
 };
 
 /// At time 0: the person stands at the start, the vehicle hovers armed or is parked. Each part

@@ -131,6 +131,10 @@ std::function<int()> prepare_simulator(CLI::App& app) {
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
   app.add_flag("--endless", o->simulator.endless, "go on after the scenario's duration");
+  app.add_option("--people-wait", o->simulator.people_wait_s,
+                 "people stand until the vehicle flies in offboard mode, at most so many seconds")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_flag("--camera", o->overrides.color_images, "render images instead of landmarks");
   return [o] {
     if (!o->map.empty())

@@ -49,6 +49,7 @@ ProcessSpec simulator_process(const FlightSpec& spec) {
   add("--scenario", spec.scenario);
   add("--map", spec.map);
   if (spec.camera) words.push_back("--camera");
+  add("--people-wait", "60");
   add("--speed", fmt::format("{}", spec.speed));
   if (spec.duration_s > 0.0)
     add("--for", fmt::format("{}", spec.duration_s));

@@ -101,7 +101,7 @@ class DemoFlight {
   double wall_s_ = 0.0;
 };
 
-// The person sets off as soon as the simulator starts, so it starts when the vehicle is ready.
+// The simulator starts when the vehicle is ready, and the person waits until it flies.
 bool DemoFlight::onboard_is_ready() {
   const FlightSnapshot snapshot = listener_.snapshot();
   const auto& processes = launcher_.processes();

@@ -42,6 +42,7 @@ void OrderSender::update() {
     const auto phase = static_cast<MissionPhase>(state.phase());
     is_idle_ = phase == MissionPhase::kIdle;
     has_flown_ |= phase == MissionPhase::kTracking;
+    is_overruled_ |= is_overruled(state);
     const auto result = static_cast<MissionResult>(state.command_result());
     if (std::ranges::find(sent_, state.command_id()) == sent_.end()) return;
     if (result == MissionResult::kPending)
@@ -50,12 +51,29 @@ void OrderSender::update() {
       take_answer(result);
   });
   const double now_s = steady_s();
-  if (insists_ && is_done() && is_idle_ && !has_flown_) {
-    result_.reset();
+  if (insists_ && is_overruled_) {
+    sending_.reset();
+  } else if (insists_ && is_done() && is_idle_ && !has_flown_) {
     sending_ = order_;
     next_s_ = now_s + kAgain_s;
   }
   if (sending_ && !gate_text_.empty() && writer_.readers() > 0 && now_s >= next_s_) send(now_s);
+}
+
+// By whoever has the vehicle in hand, or by another order.
+bool OrderSender::is_overruled(const foretrack_msgs::msg::SafetyState& state) const {
+  const bool others =
+      state.command_id() != 0 && std::ranges::find(given_, state.command_id()) == given_.end();
+  switch (static_cast<MissionEnd>(state.mission_end())) {
+    case MissionEnd::kPilot:
+    case MissionEnd::kSticks:
+    case MissionEnd::kOtherMode:
+    case MissionEnd::kDisarmed:
+    case MissionEnd::kTerminated:
+      return true;
+    default:
+      return others;
+  }
 }
 
 // What is answered is not asked again; the lease is given back whatever became of the bounds.
@@ -82,6 +100,7 @@ void OrderSender::send(double now_s) {
   order.header().stamp(gate_stamp_);
   if (lease_) lease_->sign(vehicle_, order);
   sent_.push_back(last_id_);
+  given_.push_back(last_id_);
   writer_.write();
 }
 

@@ -26,6 +26,7 @@ class OrderSender {
   void update();
   /// As an operator would who wants to see it fly: a start that is refused, or comes to nothing
   /// before the vehicle has flown, is given again. On a busy machine the first may come too late.
+  /// A pilot's deed or somebody else's order ends that.
   void insist() { insists_ = true; }
   /// None: not yet answered.
   std::optional<MissionResult> result() const { return result_; }
@@ -37,6 +38,7 @@ class OrderSender {
  private:
   void send(double now_s);
   void take_answer(MissionResult answer);
+  bool is_overruled(const foretrack_msgs::msg::SafetyState& state) const;
 
   MissionOrder order_;
   std::string operator_name_;
@@ -49,10 +51,11 @@ class OrderSender {
   std::string gate_text_;
   double next_s_ = 0.0;
   std::string vehicle_;
-  std::vector<std::uint64_t> sent_;  // and not yet answered
+  std::vector<std::uint64_t> sent_;   // and not yet answered
+  std::vector<std::uint64_t> given_;  // ever
   std::uint64_t last_id_ = 0;
   std::optional<MissionResult> result_;
-  bool insists_ = false, is_idle_ = false, has_flown_ = false;
+  bool insists_ = false, is_idle_ = false, has_flown_ = false, is_overruled_ = false;
 };
 
 /// The order of that name ("take_off", "bounds"); none: there is no such order.

@@ -34,6 +34,7 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
       ack_(service.node()),
       clock_(service.node()),
       world_(service.node(), scenario, state_.world) {
+  state_.people_wait = options.people_wait_s > 0.0;
   period_s_ = kStep_s / checked_speed(options.speed);
   service.loop().every_wall(period_s_, [this] { keep_pace(); });
 }
@@ -48,14 +49,23 @@ void SimulatorService::keep_pace() {
   step();
 }
 
+bool SimulatorService::people_wait() const {
+  const SimulatorOutput& out = state_.output;
+  const bool flies = out.autopilot.armed && out.autopilot.mode == FlightMode::kOffboard;
+  return state_.people_wait && !flies && out.now_s < options_.people_wait_s;
+}
+
 void SimulatorService::step() {
+  state_.people_wait = people_wait();
+  if (state_.people_wait) people_set_off_s_ = state_.output.now_s;
   const SimulatorOutput& out = simulate(state_, take_input(), kStep_s);
   if (out.answer) answer(*out.answer);
   if (!commands_.empty()) commands_.pop_front();
   world_.publish(out);
   clock_.sample().clock(to_time(out.now_s));
   clock_.write();
-  if (!options_.endless && out.now_s >= state_.scenario.duration_s) stop_.request();
+  if (!options_.endless && out.now_s >= people_set_off_s_ + state_.scenario.duration_s)
+    stop_.request();
 }
 
 void SimulatorService::answer(CommandResult result) {

@@ -17,6 +17,9 @@ namespace foretrack {
 struct SimulatorOptions {
   double speed = 1.0;    // simulated seconds in a second
   bool endless = false;  // goes on after the scenario's duration
+  /// People stand until the vehicle flies in offboard mode, at most so long; the duration counts
+  /// from then. A machine may take its time to start what is to follow.
+  double people_wait_s = 0.0;
   // To be rendered, if the scenario has colour images.
   std::shared_ptr<const PersonModel> person = nullptr;
   std::vector<std::shared_ptr<const PersonModel>> bystanders = {};
@@ -34,6 +37,7 @@ class SimulatorService {
  private:
   void keep_pace();
   void step();
+  bool people_wait() const;
   void answer(CommandResult result);
   AutopilotInput take_input();
   std::optional<AutopilotCommand> take_command();
@@ -43,6 +47,7 @@ class SimulatorService {
   SimulatorOptions options_;
   SimulatorState state_;
   double period_s_ = 0.0, due_s_ = -1e18;  // steady clock, of the next step
+  double people_set_off_s_ = 0.0;          // simulated time
 
   Reader<topics::Px4OffboardControlMode> heartbeat_;
   Reader<topics::Px4TrajectorySetpoint> setpoint_;

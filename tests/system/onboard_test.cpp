@@ -36,9 +36,9 @@ class OnboardProcesses : public ::testing::Test {
 
   const FreeDomain domain_;
   Folder folder_;
-  Program simulator_{
-      on_domain({"simulator", "--scenario", "open_field", "--map", "known", "--endless"}),
-      folder_.path / "simulator"};
+  Program simulator_{on_domain({"simulator", "--scenario", "open_field", "--map", "known",
+                                "--endless", "--people-wait", "60"}),
+                     folder_.path / "simulator"};
   Program onboard_{on_domain({"onboard", "--no-mapping", "--use-sim-time", "--state-dir",
                               (folder_.path / "state").string()}),
                    folder_.path / "onboard"};

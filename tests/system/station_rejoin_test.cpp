@@ -106,9 +106,9 @@ class Rejoin : public ::testing::Test {
 };
 
 TEST_F(Rejoin, AStationThatVehiclesForgotHearsAndOrdersAgain) {
-  Program world(
-      on_domain({"simulator", "--scenario", "t_intersection", "--map", "known", "--endless"}),
-      folder_.path / "simulator");
+  Program world(on_domain({"simulator", "--scenario", "t_intersection", "--map", "known",
+                           "--endless", "--people-wait", "60"}),
+                folder_.path / "simulator");
   Program onboard(on_domain({"onboard", "--no-mapping", "--use-sim-time", "--state-dir",
                              (folder_.path / "state").string()}),
                   folder_.path / "onboard");

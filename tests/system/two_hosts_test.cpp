@@ -54,7 +54,8 @@ class TwoHosts : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!network_.is_ready()) GTEST_SKIP() << "no network namespaces: not root, or no /dev/net/tun";
-    start(kVehicle, {"simulator", "--scenario", "open_field", "--map", "known", "--endless"});
+    start(kVehicle, {"simulator", "--scenario", "open_field", "--map", "known", "--endless",
+                     "--people-wait", "60"});
     start(kVehicle, {"stages", "--no-mapping", "--use-sim-time"});
     start(kGate,
           {"safety_gate", "--use-sim-time", "--state-dir", (folder_.path / "gate").string()});

@@ -88,6 +88,25 @@ TEST(Simulate, HoversUntilItIsCommandedThenFliesSetpoints) {
   EXPECT_LT((state.output.vehicle.position_enu_m - start - Vec3(0, 1, 0.5)).norm(), 0.05);
 }
 
+TEST(Simulate, PeopleWhoWaitDoLaterWhatTheyWouldHaveDone) {
+  Scenario scenario = box_scenario();
+  scenario.target.person.stops = {{.at_s = 2.5, .for_s = 0.5}};
+  SimulatorState punctual = make_simulator(scenario), late = make_simulator(scenario);
+  const Vec3 start = late.person.state.position_enu_m;
+  late.people_wait = true;
+  for (int i = 0; i < 400; ++i) simulate(late, {}, 0.01);
+  EXPECT_EQ(late.person.state.position_enu_m, start);
+  late.people_wait = false;
+  for (int i = 0; i < 500; ++i) {
+    simulate(punctual, {}, 0.01);
+    simulate(late, {}, 0.01);
+    // Sums of steps of 10 ms may put a start one step off.
+    ASSERT_LT((late.person.state.position_enu_m - punctual.person.state.position_enu_m).norm(),
+              0.03);
+  }
+  EXPECT_GT((late.person.state.position_enu_m - start).norm(), 1.0);
+}
+
 TEST(Simulate, RefusesStartsInsideObstaclesAndOutsideTheBounds) {
   Scenario scenario;
   scenario.target.route_m = {{0, 0}, {5, 0}};
