@@ -44,8 +44,7 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
 
   // Where the trajectory begins, whom it follows, who else moves, how fast it
   // may be.
-  const PlanStart start =
-      choose_start(state.flown_result().trajectory, input.vehicle, input.now_s, params);
+  const PlanStart start = choose_start(state.flown_result().trajectory, input, params);
   const PlanReason expected = expect_target(state, input, params.horizon);
   expect_bodies(input, expected == PlanReason::kOk ? &state.belief : nullptr, params.body,
                 state.courses);

@@ -20,6 +20,7 @@ struct PlanInput {
   const Prediction* prediction = nullptr;          // null: constant velocity
   const GridMap* map = nullptr;                    // null: nothing can be planned
   const MovingBodies* bodies = nullptr;            // everybody who moves; null: nobody is known
+  bool flies_plans = true;  // false: the vehicle does something else, and a plan begins there
 };
 
 /// The same without what has come too long ago: a stale target is lost; stale predictions,

@@ -79,10 +79,8 @@ void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
     s.refusal = PlanFault::kNone;
     if (!plan.pieces.empty() && !is_flown_or_waits(s, plan.id)) {
       Situation now = situation_of(s, in, p);
-      if (s.has_next)  // a plan that starts before it is out of order
-        now.flown = &s.next;
-      else if (s.has_flown && s.mode != SafetyMode::kBrake)
-        now.flown = &s.flown;
+      if (s.flies_plans)  // a plan that starts before the one that waits is out of order
+        now.flown = s.has_next ? &s.next : &s.flown;
       s.refusal = check_plan(plan, now, p.plan_check());
       if (s.refusal == PlanFault::kNone) {
         copy_flown(plan, in.now_s - in.stamp_now_s, s.next);
@@ -234,6 +232,7 @@ void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyPar
       r.setpoint && in.autopilot.armed ? r.setpoint->velocity_enu_m_s : Vec3::Zero();
   r.mode = s.mode = rung.mode;
   r.reason = rung.reason;
+  s.flies_plans = flies_plan(r);
 }
 
 void fill_report(const GateState& s, const GateInput& in, GateResult& r) {
@@ -255,6 +254,11 @@ GateState::GateState() {
     plan->pieces.reserve(kMaxPlanPieces);
     plan->yaw.nodes.reserve(kMaxPlanNodes);
   }
+}
+
+bool flies_plan(const GateResult& result) {
+  return result.setpoint &&
+         (result.mode == SafetyMode::kTrack || result.mode == SafetyMode::kCoast);
 }
 
 GateResult gate(GateState& state, const GateInput& in, const SafetyParams& params) {

@@ -63,6 +63,7 @@ struct GateState {
   double ticked_s = -1.0;
   double heartbeat_since_s = 1e18;
   SafetyMode mode = SafetyMode::kSilent;
+  bool flies_plans = false;  // the last setpoint was of a plan
   Vec3 commanded_enu_m_s = Vec3::Zero();
   std::optional<Vec3> hover_enu_m;
   double hover_yaw_rad = 0.0;
@@ -93,6 +94,9 @@ struct GateResult {
   PlanFault refusal = PlanFault::kNone;  // of the last plan that came
   LimitVerdict limit;
 };
+
+/// The setpoint is of a plan: the vehicle is not held, and nobody else flies it.
+bool flies_plan(const GateResult& result);
 
 /// One tick (100 Hz). Precondition: now_s does not fall. Allocates nothing, throws nothing. Bounded
 /// cost.

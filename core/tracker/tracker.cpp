@@ -55,7 +55,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .intention = &out.prediction->intention,
                       .prediction = &out.prediction->prediction,
                       .map = out.map,
-                      .bodies = out.bodies},
+                      .bodies = out.bodies,
+                      .flies_plans = state.gate.flies_plans},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;

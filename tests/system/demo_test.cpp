@@ -21,7 +21,7 @@ TEST(Demo, FliesWithoutCollisionAndWritesACompleteSummary) {
   EXPECT_GT(summary["path_length_m"], 5.0);
   EXPECT_GT(summary["plans"], 100);
   EXPECT_EQ(summary["metrics"]["collisions"], 0);
-  EXPECT_NEAR(summary["metrics"]["duration_s"], 9.0, 1.0);
+  EXPECT_GE(summary["metrics"]["duration_s"], 8.0);  // and what the person waited
   EXPECT_GT(summary["metrics"]["min_distance_m"], 0.5);
   EXPECT_GT(summary["latency_ms"]["p50"], 0.0);
   EXPECT_GE(summary["latency_ms"]["p99"], summary["latency_ms"]["p50"]);

@@ -26,10 +26,12 @@ PlanStart measured_start(const VehicleState& vehicle, double time_s, const Fligh
 
 }  // namespace
 
-PlanStart choose_start(const PlannedTrajectory& flown, const VehicleState& vehicle, double now_s,
+PlanStart choose_start(const PlannedTrajectory& flown, const PlanInput& input,
                        const PlanningParams& params) {
-  const double time_s = now_s + params.horizon.replan_lead_s;
-  if (flown.pieces.empty()) return measured_start(vehicle, time_s, params.limits);
+  const VehicleState& vehicle = input.vehicle;
+  const double time_s = input.now_s + params.horizon.replan_lead_s;
+  if (flown.pieces.empty() || !input.flies_plans)
+    return measured_start(vehicle, time_s, params.limits);
   const double seen_t = vehicle.stamp_s - flown.start_s;
   const double off_m = (flown.position(seen_t) - vehicle.position_enu_m).norm();
   if (off_m > params.horizon.restart_distance_m)

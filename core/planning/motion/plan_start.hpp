@@ -2,8 +2,7 @@
 // The state from which a plan starts.
 #pragma once
 
-#include "core/common/vehicle.hpp"
-#include "core/planning/plan_params.hpp"
+#include "core/planning/plan_input.hpp"
 
 namespace foretrack {
 
@@ -16,10 +15,10 @@ struct PlanStart {
   bool on_flown = false;  // joins the flown trajectory
 };
 
-/// The flown trajectory's state replan_lead_s ahead of now; without one, or when the vehicle is
-/// further than restart_distance_m from it, the measured state carried on to that time, its speeds
-/// brought within the limits.
-PlanStart choose_start(const PlannedTrajectory& flown, const VehicleState& vehicle, double now_s,
+/// The flown trajectory's state replan_lead_s ahead of now; without one, when no plan is flown, or
+/// when the vehicle is further than restart_distance_m from it, the measured state carried on to
+/// that time, its speeds brought within the limits.
+PlanStart choose_start(const PlannedTrajectory& flown, const PlanInput& input,
                        const PlanningParams& params);
 
 }  // namespace foretrack

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/planning/way/map_rays.hpp"
 
@@ -15,7 +14,7 @@ constexpr double kHiddenCost = 1.0;      // m², of not seeing the end of a path
 constexpr double kGoalShiftCost = 0.05;  // of a squared metre away from the path's end
 constexpr double kGoalStep_m = 0.25;
 constexpr double kBodyStep_s = 0.1;
-constexpr double kBodyReach_m = 1.2;  // of a trajectory from its searched way
+constexpr double kBodyReach_m = 0.6;  // of a trajectory from its searched way, at the same time
 constexpr int kGoalSteps = 4;
 constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
 constexpr double kBrakingShare = 0.5;    // of the greatest acceleration, for the room to stop
@@ -76,16 +75,13 @@ Vec3 goal_velocity(const SearchContext& context, const Vec3& goal, const Vec3& t
   return Vec3::Zero();
 }
 
-// Horizontal, from the path's polyline.
-double distance_m(const FlightPath& path, const Vec3& p) {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
-    const Vec2 a = path.vertices[i].head<2>(), span = path.vertices[i + 1].head<2>() - a;
-    const Vec2 offset = p.head<2>() - a;
-    const double along = span.squaredNorm() > 0.0 ? offset.dot(span) / span.squaredNorm() : 0.0;
-    least_m = std::min(least_m, (offset - std::clamp(along, 0.0, 1.0) * span).norm());
-  }
-  return least_m;
+// Where the searched way is t_s after its start; its end afterwards.
+Vec3 place_at(const FlightPath& path, double t_s) {
+  std::size_t i = 0;
+  while (i + 2 < path.vertices.size() && path.times_s[i + 1] < t_s) ++i;
+  const double duration_s = path.times_s[i + 1] - path.times_s[i];
+  const double share = duration_s > 0.0 ? (t_s - path.times_s[i]) / duration_s : 1.0;
+  return path.vertices[i] + std::clamp(share, 0.0, 1.0) * (path.vertices[i + 1] - path.vertices[i]);
 }
 
 }  // namespace
@@ -124,11 +120,12 @@ void add_bodies(const SearchContext& context, const FlightPath& path,
   if (context.courses == nullptr) return;
   for (int i = 1; i * kBodyStep_s <= problem.min_total_duration_s; ++i) {
     const double t_s = i * kBodyStep_s;
+    const Vec3 place = place_at(path, t_s);
     for (const BodyCourse& course : context.courses->all()) {
       if (t_s > course.horizon_s || problem.bodies.size() == problem.bodies.capacity()) continue;
       const Vec3 foot = course.body.expected_at(context.start_s + t_s);
-      if (distance_m(path, foot) > body.gap_wanted_m + course.body.radius_m + kBodyReach_m)
-        continue;
+      const double touched_m = body.gap_wanted_m + body.hull_radius_m + course.body.radius_m;
+      if (distance_xy(place, foot) > touched_m + kBodyReach_m) continue;
       const double discount = std::exp(-context.params.horizon.later_discount_per_s * t_s);
       problem.bodies.push_back(
           {t_s, course.probability * discount, {foot, course.body.radius_m, course.body.height_m}});

@@ -2,6 +2,7 @@
 #include "core/planning/optimize/trajectory_cost.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace foretrack {
 namespace {
@@ -10,6 +11,9 @@ namespace {
 /// the cost by a duration's variable. Found by measurement on the benchmark's problems.
 constexpr double kPenaltyCurvature = 20.0;
 constexpr double kDurationCurvature = 300.0;
+
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
+constexpr double kSameTime_s = 1e-6;
 
 std::span<const double> duration_part(const Variables& x, int pieces) {
   return {x.data() + 3 * (pieces - 1), static_cast<std::size_t>(pieces) + 1};
@@ -87,8 +91,7 @@ double TrajectoryCost::evaluate(const Variables& x, Variables& gradient) {
     cost += params_.time_weight * minco_.durations_s[i];
     gradient_.durations[i] += params_.time_weight;
   }
-  cost += add_samples();
-  if (!problem_->bodies.empty()) cost += add_bodies();
+  cost += add_points();
   cost += add_jerk_energy(minco_, gradient_);
   propagate(minco_, gradient_);
   for (int i = 0; i + 1 < n; ++i)
@@ -110,41 +113,33 @@ void TrajectoryCost::add_sample(const PreparedSample& prepared, const Vec3& p,
                   s.weight * params_.height_weight, sum);
 }
 
-/// Samples of several paths at one time share one position.
-double TrajectoryCost::add_samples() {
+void TrajectoryCost::add_body(const Vec3& p, const BodySample& body, PointPenalty& sum) const {
+  const double touched_m = problem_->gap_wanted_m + problem_->hull_radius_m + body.pillar.radius_m;
+  if ((p - body.pillar.foot).head<2>().squaredNorm() > touched_m * touched_m) return;
+  add_gap(p, problem_->hull_radius_m, body.pillar, problem_->gap_wanted_m,
+          body.weight * params_.gap_weight, sum);
+}
+
+/// The target's samples and the bodies of one time share one position.
+double TrajectoryCost::add_points() {
   double cost = 0.0;
   std::array<double, kMaxPieces> shifts;  // ∂J by the local time's shift, summed over a piece
   std::fill_n(shifts.begin(), minco_.pieces, 0.0);
   PieceTime at;
-  for (auto next = samples_.begin(); next != samples_.end();) {
-    const double time_s = next->sample->time_s;
+  auto sample = samples_.begin();
+  auto body = problem_->bodies.begin();
+  const auto next_s = [&] {
+    const double sample_s = sample != samples_.end() ? sample->sample->time_s : kNever_s;
+    return body != problem_->bodies.end() ? std::min(sample_s, body->time_s) : sample_s;
+  };
+  for (double time_s = next_s(); time_s < kNever_s; time_s = next_s()) {
     advance(minco_, time_s, at);
     const Vec3 p = position_at(minco_, at);
     PointPenalty sum;
-    for (; next != samples_.end() && next->sample->time_s == time_s; ++next)
-      add_sample(*next, p, sum);
-    if (sum.value == 0.0) continue;
-    cost += sum.value;
-    shifts[at.piece] += add_position_gradient(minco_, at, sum.gradient, gradient_);
-  }
-  add_shifts(shifts);
-  return cost;
-}
-
-double TrajectoryCost::add_bodies() {
-  const auto& bodies = problem_->bodies;
-  double cost = 0.0;
-  std::array<double, kMaxPieces> shifts;
-  std::fill_n(shifts.begin(), minco_.pieces, 0.0);
-  PieceTime at;
-  for (auto next = bodies.begin(); next != bodies.end();) {
-    const double time_s = next->time_s;
-    advance(minco_, time_s, at);
-    const Vec3 p = position_at(minco_, at);
-    PointPenalty sum;
-    for (; next != bodies.end() && next->time_s == time_s; ++next)
-      add_gap(p, problem_->hull_radius_m, next->pillar, problem_->gap_wanted_m,
-              next->weight * params_.gap_weight, sum);
+    const double end_s = time_s + kSameTime_s;
+    for (; sample != samples_.end() && sample->sample->time_s <= end_s; ++sample)
+      add_sample(*sample, p, sum);
+    for (; body != problem_->bodies.end() && body->time_s <= end_s; ++body) add_body(p, *body, sum);
     if (sum.value == 0.0) continue;
     cost += sum.value;
     shifts[at.piece] += add_position_gradient(minco_, at, sum.gradient, gradient_);

@@ -38,8 +38,8 @@ class TrajectoryCost : public CostFunction {
   /// The minimum of the smoothness and the squared distance to the given waypoints.
   void smooth_first_guess();
   void add_sample(const PreparedSample& prepared, const Vec3& p, PointPenalty& sum) const;
-  double add_samples();
-  double add_bodies();
+  void add_body(const Vec3& p, const BodySample& body, PointPenalty& sum) const;
+  double add_points();
   /// What shifts of the local times by earlier durations cost, summed over each
   /// piece.
   void add_shifts(const std::array<double, kMaxPieces>& shifts);

@@ -10,6 +10,7 @@
 #include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
+#include "services/convert/safety.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/trajectory.hpp"
 #include "services/convert/visual.hpp"
@@ -41,6 +42,7 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
       intention_reader_(service.node()),
       prediction_reader_(service.node()),
       bodies_reader_(service.node()),
+      gate_reader_(service.node()),
       plan_(service.node()),
       path_(service.node()),
       markers_(service.node()) {
@@ -54,6 +56,8 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   loop.on_newest(intention_reader_, convert,
                  [this](const IntentionAssessment& intention) { believe(intention); });
   loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) { bodies_ = bodies; });
+  loop.on_newest(gate_reader_, convert,
+                 [this](const GateReport& gate) { flies_plans_ = flies_plan(gate.result); });
   loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
     prediction_ = std::move(prediction);
     // Not before the last plan has started: the gate keeps but one waiting.
@@ -84,6 +88,7 @@ PlanInput PlanningService::gather(double now_s) const {
   if (prediction_) in.prediction = &*prediction_;
   in.map = &map_;
   if (bodies_) in.bodies = &*bodies_;
+  in.flies_plans = flies_plans_;
   return in;
 }
 

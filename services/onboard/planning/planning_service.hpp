@@ -8,6 +8,7 @@
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
+#include "foretrack_msgs/msg/SafetyState.h"
 #include "foretrack_msgs/msg/TargetIntention.h"
 #include "foretrack_msgs/msg/TargetPrediction.h"
 #include "foretrack_msgs/msg/TargetState.h"
@@ -41,6 +42,7 @@ class PlanningService {
   Reader<topics::TargetIntention> intention_reader_;
   Reader<topics::TargetPrediction> prediction_reader_;
   Reader<topics::MovingBodies> bodies_reader_;
+  Reader<topics::SafetyState> gate_reader_;
   Writer<topics::PlannedTrajectory> plan_;
   Writer<topics::PlanPath> path_;
   Writer<topics::Markers> markers_;
@@ -49,6 +51,7 @@ class PlanningService {
   std::optional<IntentionAssessment> intention_;
   std::optional<Prediction> prediction_;
   std::optional<MovingBodies> bodies_;
+  bool flies_plans_ = true;  // until a gate says otherwise
   double planned_s_ = -1e9;
   double drawn_s_ = -1e9;
 };
