@@ -158,6 +158,32 @@ struct Refiner {
   }
 };
 
+// What the landmarks that `counts` tell of the pose, were they where the pose puts them.
+template <class Counts>
+Mat6 information_of(const Refiner& refiner, const std::array<Landmark, kLandmarkCount>& landmarks,
+                    const Counts& counts) {
+  const double scale = height_scale(refiner.params);
+  Mat6 normal = Mat6::Zero();
+  PoseStep unused = PoseStep::Zero();
+  for (int i = 0; i < kLandmarkCount; ++i) {
+    if (!counts(i) || !landmarks[i].body_m.allFinite()) continue;
+    const Vec3 x = refiner.R * (scale * landmarks[i].body_m) + refiner.t;
+    if (x.z() < 0.1) continue;
+    refiner.accumulate({x.head<2>() / x.z(), scale * landmarks[i].body_m, i}, kStartSigmas, normal,
+                       unused);
+  }
+  const double alignment_rad = refiner.params.alignment_noise_rad;
+  normal.topLeftCorner<3, 3>().diagonal().array() += 1.0 / (alignment_rad * alignment_rad);
+  return normal;
+}
+
+// Of the torso's centre, from the information on the pose.
+Mat3 torso_covariance(const Vec3& from_hips_m, const Mat6& information) {
+  Eigen::Matrix<double, 3, 6> by_pose;
+  by_pose << -skew(from_hips_m), Mat3::Identity();
+  return by_pose * information.ldlt().solve(by_pose.transpose());
+}
+
 // Median error over the one that is expected of normal noise in the plane.
 double noise_scale(const Refiner& refiner) {
   std::array<double, kLandmarkCount> errors;
@@ -228,6 +254,11 @@ std::optional<BodyPose> estimate_body_pose(const std::array<Landmark, kLandmarkC
     return std::nullopt;
   if (refiner.t.z() < 0.1 || refiner.t.norm() > params.max_range_m) return std::nullopt;
   pose.noise_scale = refiner.scale;
+  const Vec3 from_hips_m = torso_camera_m(pose, landmarks, params) - refiner.t;
+  const Mat6 seen = information_of(refiner, landmarks, [&](int i) { return pose.used[i]; });
+  const Mat6 whole = information_of(refiner, landmarks, [](int) { return true; });
+  pose.cut_off_covariance_m2 =
+      torso_covariance(from_hips_m, seen) - torso_covariance(from_hips_m, whole);
   pose.reprojection_rms_px = std::sqrt(sum / pose.used_count);
   return pose;
 }

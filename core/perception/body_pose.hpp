@@ -19,6 +19,9 @@ struct BodyPose {
   int used_count = 0;                       ///< how many they are
   double reprojection_rms_px = 0.0;         ///< root mean square image error of the used ones
   double noise_scale = 1.0;  ///< noise of the landmarks over what the parameters state, 1 to 3
+  /// How much less sure the torso's centre is than if the whole body were seen; optical frame. From
+  /// a head at the image's edge the torso is extrapolated.
+  Mat3 cut_off_covariance_m2 = Mat3::Zero();
 
   /// A point of the human frame, in metres at the target's height, in the optical frame.
   Vec3 joint_camera_m(const Vec3& body_m) const { return T_camera_human * body_m; }

@@ -13,6 +13,9 @@ constexpr double kTorsoShare = 0.674;  // the torso's centre is so high, in body
 constexpr double kTorsoSlack_m = 0.5;  // ground further from where it should be is not believed
 constexpr double kWidestDoubt_m = 0.3;
 constexpr double kVelocityStep_s = 0.05;
+constexpr double kUnseenSpread_m_s = 0.5;  // of a person who is not seen any more, at first
+constexpr double kWidestUnseen_m = 0.5;
+constexpr double kStillSeen_s = 0.1;
 constexpr double kPlaceStep_s =
     0.25;  // the last places are beyond the end of any path: it stands there
 constexpr double kVehicleSpeed_m_s = 3.0;  // at which vehicle and body may close in, with their own
@@ -42,13 +45,18 @@ struct Person {
   double radius_m, height_m;
 };
 
-// The followed person on one believed path, as of now: an old belief (of a lost target) says where
-// they are expected now, not that they may have run since then wherever they could.
+// How far somebody who is not seen any more may be from where they were expected.
+double unseen_doubt_m(double age_s) {
+  return std::clamp(kUnseenSpread_m_s * (age_s - kStillSeen_s), 0.0, kWidestUnseen_m);
+}
+
+// The followed person on one believed path, as of now: an old belief (of a lost target) says about
+// where they are expected now, not that they may have run since then wherever they could.
 MovingBody body_on(const PredictedPath& path, double age_s, double now_s, const Person& person,
                    const GridMap* map) {
   MovingBody body;
   body.id = person.id;
-  body.radius_m = person.radius_m;
+  body.radius_m = person.radius_m + unseen_doubt_m(age_s);
   body.height_m = person.height_m;
   body.followed = true;
   body.kind = BodyKind::kPerson;
