@@ -20,11 +20,13 @@ struct Case {
   const char* name;
   WorldKind kind;
   int count;
+  int others = 0;  // people who walk around the target
 };
 constexpr Case kCases[] = {
     {"boxes_60", WorldKind::kBoxes, 60},   {"boxes_90", WorldKind::kBoxes, 90},
     {"boxes_120", WorldKind::kBoxes, 120}, {"cylinders_120", WorldKind::kCylinders, 120},
     {"walls_100", WorldKind::kWalls, 100}, {"blocks", WorldKind::kBlocks, 0},
+    {"crowd_8", WorldKind::kBoxes, 60, 8},
 };
 
 struct Options {
@@ -76,6 +78,24 @@ void record(const PlanResult& result, double predict_ms, double total_ms, Outcom
                 std::string(to_string(result.trajectory.reason))];
 }
 
+// They circle the target at 2 to 5.5 m, to the left and to the right, at 1 m/s.
+MovingBodies crowd(int count, const TargetState& target, double now_s) {
+  MovingBodies bodies;
+  bodies.stamp_s = now_s;
+  for (int i = 0; i < count; ++i) {
+    const double radius_m = 2.0 + 0.5 * i, turn = i % 2 == 0 ? 1.0 : -1.0;
+    const Vec2 out = direction_of(2.4 * i + turn * now_s / radius_m);
+    MovingBody body;
+    body.id = static_cast<std::uint32_t>(i + 1);
+    body.kind = BodyKind::kPerson;
+    body.stamp_s = now_s;
+    body.position_enu_m << target.position_enu_m.head<2>() + radius_m * out, 0.0;
+    body.velocity_enu_m_s << turn * Vec2(-out.y(), out.x()), 0.0;
+    bodies.add(body);
+  }
+  return bodies;
+}
+
 void run(const Case& c, const Options& options, std::uint64_t seed, Outcome& out) {
   const std::vector<Vec2> middle = {{0.0, 0.0}, {-2.5, 0.0}};
   const World world = generate_world({c.kind, c.count, seed}, Vec3(-20.0, -20.0, 0.0),
@@ -99,6 +119,7 @@ void run(const Case& c, const Options& options, std::uint64_t seed, Outcome& out
       vehicle.stamp_s = now_s;
     measure_view(world, vehicle, target, out);
     if (tick % kTicksPerPlan == 0) {
+      const MovingBodies others = crowd(c.others, target, now_s);
       const double start_s = cpu_s();
       const PredictionResult& predicted = predict(prediction, target, map, prediction_params);
       const double predicted_s = cpu_s();
@@ -107,7 +128,8 @@ void run(const Case& c, const Options& options, std::uint64_t seed, Outcome& out
                             .target = target,
                             .intention = &predicted.intention,
                             .prediction = &predicted.prediction,
-                            .map = &map};
+                            .map = &map,
+                            .bodies = &others};
       const PlanResult& result = plan(planning, input, options.params);
       const double end_s = cpu_s();
       record(result, 1e3 * (predicted_s - start_s), 1e3 * (end_s - start_s), out);

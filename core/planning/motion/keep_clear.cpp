@@ -26,6 +26,11 @@ struct Closing {
   double cost = 0.0;
 };
 
+bool is_beyond(const Vec3& p, const Vec3& axis, double distance_m) {
+  return (p - axis).head<2>().squaredNorm() > distance_m * distance_m;
+}
+
+// Bodies that are too far off to change the result are skipped before anything is computed.
 struct Measuring {
   const BodyCourses& courses;
   const GapParams& params;
@@ -34,15 +39,29 @@ struct Measuring {
   void expect(const Vec3& p, double time_s, double after_s) {
     for (const BodyCourse& course : courses.all()) {
       if (after_s > course.horizon_s) continue;
-      const double gap_m = expected_gap_m(p, params.hull_radius_m, course.body, time_s);
+      const MovingBody& body = course.body;
+      const Vec3 foot = body.expected_at(time_s);
+      const double counts_m = std::max(gaps.least_m, params.gap_wanted_m);
+      if (is_beyond(p, foot, counts_m + params.hull_radius_m + body.radius_m)) continue;
+      const double gap_m =
+          foretrack::gap_m(p, params.hull_radius_m, foot, body.radius_m, body.height_m);
       if (gap_m < gaps.least_m) gaps.least_m = gap_m, gaps.least_at_s = after_s;
       gaps.cost += kGapStep_s * cubed(params.gap_wanted_m - gap_m);
     }
   }
+  // Nobody gets farther from where they are now.
+  double reach_m(const MovingBody& body, double time_s) const {
+    const double speed_m_s = std::max(params.body_speed_m_s, body.velocity_enu_m_s.norm());
+    return body.radius_m + speed_m_s * std::max(time_s - body.stamp_s, 0.0);
+  }
   void reach(const Vec3& p, double time_s, Closing& closing) const {
     for (const BodyCourse& course : courses.all()) {
-      const double gap_m =
-          least_gap_m(p, params.hull_radius_m, course.body, time_s, params.bounds());
+      const MovingBody& body = course.body;
+      const double counts_m = std::max(closing.least_m, params.reach_gap_m);
+      if (is_beyond(p, body.position_enu_m,
+                    counts_m + params.hull_radius_m + reach_m(body, time_s)))
+        continue;
+      const double gap_m = least_gap_m(p, params.hull_radius_m, body, time_s, params.bounds());
       closing.least_m = std::min(closing.least_m, gap_m);
       closing.cost += kReachWeight * kGapStep_s * cubed(params.reach_gap_m - gap_m);
     }
