@@ -66,10 +66,14 @@ PlanReason attempt_all(PlanningState& s, const PlanTask& task,
   const PlanReason reason = attempt(s, task, first, normal, clock);
   if (reason == PlanReason::kOk) return reason;
   make_careful(s.problem);
-  for (const OptimizerParams& careful : {firmer(normal), softer(firmer(normal))}) {
-    if (attempt(s, task, first, careful, clock) == PlanReason::kOk) return PlanReason::kOk;
-  }
-  return reason;
+  // Where somebody is too near, firmer limits give no more room: sight and distance must give way.
+  // The same at once after a stop, as all this has been tried without it.
+  if (reason != PlanReason::kTooNearTarget && !first &&
+      attempt(s, task, first, firmer(normal), clock) == PlanReason::kOk)
+    return PlanReason::kOk;
+  return attempt(s, task, first, softer(firmer(normal)), clock) == PlanReason::kOk
+             ? PlanReason::kOk
+             : reason;
 }
 
 void aim(PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {

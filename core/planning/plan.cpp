@@ -65,7 +65,7 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
   if (reason == PlanReason::kOk) return publish(state, task, 0.0, clock);
 
   // The motion so far may leave no room to turn into the way: then it comes to rest before.
-  if (start.on_flown) {
+  if (start.on_flown && reason != PlanReason::kTooNearTarget) {
     const QuinticPiece stop = make_stop_tail(start.state, task.limits).piece;
     if (follow_target(state, task, stop, clock) == PlanReason::kOk)
       return publish(state, task, stop.duration_s, clock);
