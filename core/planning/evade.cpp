@@ -20,13 +20,12 @@ constexpr double kClimbCost_m2s = 4e-4;  // the same, of height: beside a person
 constexpr int kDurations = 14;
 constexpr double kLongerBy = 1.15;
 constexpr int kLimitSamples = 12;
-constexpr double kLimitReserve = 0.97;  // of the limits, as they are looked at in points only
 
 bool is_within(const QuinticPiece& piece, const FlightLimits& limits) {
   for (int i = 0; i <= kLimitSamples; ++i) {
     const double t_s = piece.duration_s * i / kLimitSamples;
-    if (piece.velocity(t_s).norm() > kLimitReserve * limits.speed_max_m_s ||
-        piece.acceleration(t_s).norm() > kLimitReserve * limits.acceleration_max_m_s2)
+    if (piece.velocity(t_s).norm() > kPlannedShare * limits.speed_max_m_s ||
+        piece.acceleration(t_s).norm() > kPlannedShare * limits.acceleration_max_m_s2)
       return false;
   }
   return true;

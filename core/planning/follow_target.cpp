@@ -79,7 +79,7 @@ PlanReason follow_target(PlanningState& s, const PlanTask& task,
   clock.lap(PlanStage::kPath);
 
   // §V.B: the corridor, the first guess, and what the optimiser is to keep.
-  const bool clear = build_corridor(context, s.path, s.corridor, s.problem.corridor);
+  const bool clear = build_corridor(context, s.path, s.deviation, s.corridor, s.problem.corridor);
   guess_trajectory(context, s.path, from, s.expected, s.problem);
   make_samples(context, s.expected, s.ahead, s.path_workspace, from.state, score_decelerate(task),
                s.problem.samples);

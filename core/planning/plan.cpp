@@ -31,6 +31,14 @@ bool is_too_fast(const PlanStart& start, const PlanningParams& params) {
          (1.0 + params.check.limit_tolerance) * params.view.search_speed_m_s;
 }
 
+void learn_deviation(PlanningState& state, const PlanInput& input) {
+  const PlannedTrajectory& flown = state.flown_result().trajectory;
+  const double t_s = input.vehicle.stamp_s - flown.start_s;
+  if (!input.flies_plans || flown.pieces.empty() || t_s < 0.0) return;
+  state.deviation.add(flown.velocity(t_s).norm(), flown.acceleration(t_s).norm(),
+                      (flown.position(t_s) - input.vehicle.position_enu_m).norm());
+}
+
 }  // namespace
 
 const PlanResult& plan(PlanningState& state, const PlanInput& given, const PlanningParams& params) {
@@ -41,6 +49,8 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
   const bool knows_where_it_is =
       input.now_s - input.vehicle.stamp_s <= params.horizon.vehicle_stale_s;
   if (!is_finite(input) || input.map == nullptr || !knows_where_it_is) return refuse(state);
+
+  learn_deviation(state, input);
 
   // Where the trajectory begins, whom it follows, who else moves, how fast it
   // may be.

@@ -4,6 +4,7 @@
 
 #include "core/planning/motion/aim_camera.hpp"
 #include "core/planning/motion/check_trajectory.hpp"
+#include "core/planning/motion/deviation_bound.hpp"
 #include "core/planning/see/look_ahead.hpp"
 #include "core/planning/way/corridor.hpp"
 
@@ -41,6 +42,8 @@ struct PlanningState {
   int flown = 0;
   PlanResult& flown_result() { return results[flown]; }
   PlanResult& next_result() { return results[1 - flown]; }
+
+  DeviationBound deviation;  // of the vehicle from what is flown
 
   // What is remembered of the target.
   TargetBelief belief;

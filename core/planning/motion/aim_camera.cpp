@@ -27,8 +27,9 @@ Vec3 present_direction(const PlanStart& start, const ExpectedTarget& expected, d
          start.state.position;
 }
 
+// A vehicle that turns swings over what is planned.
 AngleLimits yaw_limits(const PlanningParams& p) {
-  return {p.limits.yaw_rate_max_rad_s, p.limits.yaw_acceleration_max_rad_s2,
+  return {kPlannedShare * p.limits.yaw_rate_max_rad_s, p.limits.yaw_acceleration_max_rad_s2,
           0.5 * p.view.fov_horizontal_rad - p.view.fov_margin_rad, p.view.yaw_effort};
 }
 AngleLimits gimbal_limits(const PlanningParams& p) {

@@ -14,6 +14,8 @@ struct FlightLimits {
   double yaw_rate_max_rad_s = 2.0;
   double yaw_acceleration_max_rad_s2 = 6.0;
 };
+/// Of the limits, in plans: what is flown swings over what is planned, by 5 to 7 % (simulated).
+inline constexpr double kPlannedShare = 0.93;
 /// One row for each field: name, unit, range, meaning.
 ParamRows rows(FlightLimits& limits);
 

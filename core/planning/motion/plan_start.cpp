@@ -6,18 +6,16 @@
 namespace foretrack {
 namespace {
 
-constexpr double kWithinLimits = 0.95;
-
 PlanStart measured_start(const VehicleState& vehicle, double time_s, const FlightLimits& limits) {
   PlanStart start;
   start.time_s = time_s;
-  const double most_m_s = kWithinLimits * limits.speed_max_m_s;
+  const double most_m_s = kPlannedShare * limits.speed_max_m_s;
   const double speed_m_s = vehicle.velocity_enu_m_s.norm();
   start.state.velocity =
       vehicle.velocity_enu_m_s * (speed_m_s > most_m_s ? most_m_s / speed_m_s : 1.0);
   const double ahead_s = std::clamp(time_s - vehicle.stamp_s, 0.0, 0.5);
   start.state.position = vehicle.position_enu_m + ahead_s * start.state.velocity;
-  const double most_rad_s = kWithinLimits * limits.yaw_rate_max_rad_s;
+  const double most_rad_s = kPlannedShare * limits.yaw_rate_max_rad_s;
   start.yaw.rate_rad_s =
       std::clamp(vehicle.angular_velocity_body_rad_s.z(), -most_rad_s, most_rad_s);
   start.yaw.angle_rad = wrap_angle(vehicle.yaw_rad() + ahead_s * start.yaw.rate_rad_s);

@@ -84,29 +84,39 @@ Vec3 place_at(const FlightPath& path, double t_s) {
   return path.vertices[i] + std::clamp(share, 0.0, 1.0) * (path.vertices[i + 1] - path.vertices[i]);
 }
 
+// The hull, what the vehicle leaves its plan by, and the map's own error.
+double tube_radius_m(const SearchContext& context, const DeviationBound& deviation,
+                     double speed_m_s) {
+  const FlightLimits& limits = context.limits;
+  const double bound_m = std::max(deviation.bound_m(speed_m_s, 0.0),
+                                  deviation.bound_m(speed_m_s, limits.acceleration_max_m_s2));
+  return context.params.body.hull_radius_m + bound_m + 0.5 * context.map.resolution_m;
+}
+
 }  // namespace
 
 bool build_corridor(const SearchContext& context, const FlightPath& path,
-                    CorridorWorkspace& workspace, std::vector<Polytope>& corridor) {
-  // A vehicle that brakes hard lags behind its plan: where there is room, this is kept for it.
-  const double radius_m =
-      context.params.check.vehicle_radius_m + context.params.place.corridor_clearance_m;
-  CorridorParams params{radius_m, context.params.place.corridor_reach_m,
+                    const DeviationBound& deviation, CorridorWorkspace& workspace,
+                    std::vector<Polytope>& corridor) {
+  const double checked_m = context.params.check.vehicle_radius_m;
+  CorridorParams params{checked_m, context.params.place.corridor_reach_m,
                         context.params.place.corridor_height_m};
   resize_polytopes(workspace, corridor, path.vertices.size() - 1);
-  const auto allowed_m = [&](const Vec3& vertex) {
-    return std::min(radius_m, context.map.unfree_distance_m(vertex));
-  };
   bool clear = true;
   for (std::size_t i = 0; i < corridor.size(); ++i) {
-    // A place that is nearer to obstacles than allowed may be left, but not nearer to them.
     const Vec3 &from = path.vertices[i], &to = path.vertices[i + 1];
-    params.vehicle_radius_m = std::min(allowed_m(from), allowed_m(to));
-    if (decompose_segment(context.map, from, to, params, workspace, corridor[i])) continue;
-    // Between its ends the way may be narrower: what the check asks for is enough.
-    params.vehicle_radius_m =
-        std::min(params.vehicle_radius_m, context.params.check.vehicle_radius_m);
-    clear &= decompose_segment(context.map, from, to, params, workspace, corridor[i]);
+    // A place that is nearer to obstacles than allowed may be left, but not nearer to them.
+    const double most_m =
+        std::min(context.map.unfree_distance_m(from), context.map.unfree_distance_m(to));
+    const auto decompose = [&](double radius_m) {
+      params.vehicle_radius_m = std::min(radius_m, most_m);
+      return decompose_segment(context.map, from, to, params, workspace, corridor[i]);
+    };
+    // Between its ends the way may be narrower.
+    const double speed_m_s = (to - from).norm() / (path.times_s[i + 1] - path.times_s[i]);
+    const double wanted_m = checked_m + context.params.place.corridor_clearance_m;
+    clear &= decompose(std::max(tube_radius_m(context, deviation, speed_m_s), wanted_m)) ||
+             decompose(wanted_m) || decompose(checked_m);
   }
   return clear;
 }

@@ -2,6 +2,7 @@
 // The optimisation problem of one plan: corridor, first guess, boundary states.
 #pragma once
 
+#include "core/planning/motion/deviation_bound.hpp"
 #include "core/planning/motion/plan_start.hpp"
 #include "core/planning/optimize/optimize_trajectory.hpp"
 #include "core/planning/see/look_ahead.hpp"
@@ -9,11 +10,13 @@
 
 namespace foretrack {
 
-/// Decomposes free space around every segment of the path (paper: F). A segment that begins or
-/// ends nearer to obstacles than allowed has a polytope that comes no nearer. False if a segment
-/// touches what the vehicle may not enter.
+/// Decomposes free space around every segment of the path (paper: F). Where there is room, it is
+/// as far from obstacles as the vehicle leaves plans of the segment's speed; where there is not, as
+/// the check asks. A segment that begins or ends nearer to obstacles has a polytope that comes no
+/// nearer. False if a segment touches what the vehicle may not enter.
 bool build_corridor(const SearchContext& context, const FlightPath& path,
-                    CorridorWorkspace& workspace, std::vector<Polytope>& corridor);
+                    const DeviationBound& deviation, CorridorWorkspace& workspace,
+                    std::vector<Polytope>& corridor);
 
 /// First guess (waypoints at the path's vertices and in the middle of its segments) and boundary
 /// states: the plan ends near the path's end, in its last polytope, where distance and sight to the

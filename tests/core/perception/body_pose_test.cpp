@@ -177,6 +177,25 @@ TEST(BodyPose, NeedsOnlyTheUpperBody) {
   EXPECT_EQ(pose->used_count, kLeftHip);
 }
 
+TEST(BodyPose, OfABodyThatTheImageCutsOffTheTorsoIsAsUnsureAsItSays) {
+  const Scene scene;
+  double squares_m2 = 0.0, said_m2 = 0.0;
+  for (int seed = 1; seed <= 100; ++seed) {
+    Random random(seed);
+    auto o = observe(scene.person, scene.vehicle, LandmarkNoise(), random);
+    const auto whole = estimate_body_pose(o.landmarks, o.camera, kParams);
+    ASSERT_TRUE(whole.has_value());
+    EXPECT_LT(whole->cut_off_covariance_m2.trace(), 1e-4);
+    for (int k = kRightShoulder + 1; k < kLandmarkCount; ++k) o.landmarks[k].visibility = 0.1;
+    const auto head = estimate_body_pose(o.landmarks, o.camera, kParams);
+    if (!head) continue;
+    squares_m2 += (scene.torso_of_pose(*head, o) - scene.torso_camera_m()).squaredNorm();
+    said_m2 += head->cut_off_covariance_m2.trace();
+  }
+  EXPECT_GT(said_m2, 0.3 * squares_m2);
+  EXPECT_LT(said_m2, 4.0 * squares_m2);
+}
+
 TEST(BodyPose, SaysWhenTheLandmarksAreNoisierThanStated) {
   const Scene scene;
   Random random(5);

@@ -41,6 +41,18 @@ TEST(Gate, FliesTheOldPlanUntilTheNewOneStarts) {
   EXPECT_EQ(loop.tick().plan_id, 1002U);
 }
 
+// Before it flies, a plan that goes on from the last plan is not one from where the vehicle is.
+TEST(Gate, WhileItFliesNoPlanEachMustBeginWhereTheVehicleIs) {
+  FlightLoop loop;
+  const auto here = straight_plan(1, loop.stamp_now_s() + kTick_s, 0.0);
+  EXPECT_EQ(loop.tick(&here).refusal, PlanFault::kNone);
+  loop.run(0.1);
+  const auto ahead = straight_plan(2, loop.stamp_now_s() + kTick_s, 0.5);
+  EXPECT_EQ(loop.tick(&ahead).refusal, PlanFault::kDoesNotJoin);
+  const auto again = straight_plan(3, loop.stamp_now_s() + kTick_s, 0.0);
+  EXPECT_EQ(loop.tick(&again).refusal, PlanFault::kNone);
+}
+
 TEST(Gate, StepsDownFromTrackToCoastToHoverToSilentWhenPlansCease) {
   Flying loop;
   const auto plan = loop.plan(1001);

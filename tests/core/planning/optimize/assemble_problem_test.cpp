@@ -24,7 +24,7 @@ class AssembleProblem : public ::testing::Test {
     problem_.bodies.reserve(256);
   }
   bool corridor(const FlatContext& c) {
-    return build_corridor(c.context(), path_, workspace_, problem_.corridor);
+    return build_corridor(c.context(), path_, deviation_, workspace_, problem_.corridor);
   }
   void guess(const FlatContext& c) {
     PlanStart start;
@@ -33,6 +33,7 @@ class AssembleProblem : public ::testing::Test {
   }
   FlightPath path_;
   ExpectedTarget expected_;
+  DeviationBound deviation_;
   CorridorWorkspace workspace_;
   OptimizationProblem problem_;
 };
@@ -48,6 +49,25 @@ TEST_F(AssembleProblem, EachSegmentHasItsPolytopeAndABlockedOneIsTold) {
   World world = empty_world();
   world.boxes.push_back({{-1.2, -1.0, 0.0}, {-0.9, 1.0, 4.0}});
   EXPECT_FALSE(corridor(FlatContext(known_map(world, 0.15), kHeight_m)));
+}
+
+TEST_F(AssembleProblem, KeepsRoomForWhatTheVehicleLeavesItsPlansByWhereThereIsRoom) {
+  World world = empty_world();
+  world.boxes.push_back({{-4.0, 0.9, 0.0}, {0.0, 1.2, 4.0}});
+  const FlatContext wide(known_map(world, 0.15), kHeight_m);
+  const auto room_m = [&] {  // from the wall
+    EXPECT_TRUE(corridor(wide));
+    double y_m = 0.0;
+    while (problem_.corridor[0].contains({-1.5, y_m, kHeight_m}, 0.0)) y_m += 0.01;
+    return 0.9 - y_m;
+  };
+  const double before_m = room_m();
+  for (int i = 0; i < 100; ++i) deviation_.add(1.3, 1.0, 0.29);
+  EXPECT_GT(room_m(), before_m + 0.1);
+  // A way that is narrower stays passable.
+  world.boxes.push_back({{-4.0, -1.2, 0.0}, {0.0, -0.42, 4.0}});
+  world.boxes[world.boxes.size() - 2].min_m.y() = 0.42;
+  EXPECT_TRUE(corridor(FlatContext(known_map(world, 0.15), kHeight_m)));
 }
 
 TEST_F(AssembleProblem, TheGuessGoesAlongThePathInItsTimes) {
@@ -105,7 +125,7 @@ TEST_F(AssembleProblem, OnlyWhoComesNearTheWayIsKeptClearOf) {
   BodyCourse near;
   near.probability = 0.5;
   near.horizon_s = 1.0;
-  near.body.position_enu_m = {0.0, 1.0, 0.0};
+  near.body.position_enu_m << (path_.vertices[0] + Vec3(0.0, 1.0, 0.0)).head<2>(), 0.0;
   BodyCourse far = near;
   far.body.position_enu_m = {0.0, -6.0, 0.0};
   courses.add(near);
@@ -127,7 +147,7 @@ TEST_F(AssembleProblem, OnlyWhoComesNearTheWayIsKeptClearOf) {
     const BodySample& sample = problem_.bodies[i];
     EXPECT_NEAR(sample.time_s, 0.1 * static_cast<double>(i + 1), 1e-9);
     EXPECT_LE(sample.weight, 0.5);
-    EXPECT_NEAR(sample.pillar.foot.y(), 1.0, 1e-9);
+    EXPECT_NEAR((sample.pillar.foot - near.body.position_enu_m).norm(), 0.0, 1e-9);
   }
 }
 

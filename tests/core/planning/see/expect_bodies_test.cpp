@@ -45,6 +45,19 @@ TEST_F(ExpectBodies, TheFollowedPersonStandsOnTheGroundBelowTheTorso) {
   EXPECT_NEAR((body.expected_at(2.5) - Vec3(3.5, 0.0, 0.0)).norm(), 0.0, 1e-9);
 }
 
+TEST_F(ExpectBodies, WhoIsNotSeenAnyMoreMayBeFartherFromWhereTheyWereExpected) {
+  expect(&belief_);
+  const double seen_m = courses_.courses[0].body.radius_m;
+  EXPECT_EQ(seen_m, params_.person_radius_m);
+  input_.now_s = 1.6;
+  expect(&belief_);
+  EXPECT_NEAR(courses_.courses[0].body.radius_m, seen_m + 0.25, 1e-9);
+  EXPECT_NEAR(courses_.courses[0].body.position_enu_m.x(), 2.6, 1e-9);
+  input_.now_s = 9.0;
+  expect(&belief_);
+  EXPECT_NEAR(courses_.courses[0].body.radius_m, seen_m + 0.5, 1e-9);
+}
+
 TEST_F(ExpectBodies, WithoutKnownGroundTheFootIsBelowTheTorsoAsThePersonIsTall) {
   const GridMap unknown =
       testing::partly_known_map(testing::empty_world(), 0.15, [](const Vec3&) { return false; });
