@@ -50,7 +50,7 @@ class PlanningService {
   std::optional<Prediction> prediction_;
   std::optional<MovingBodies> bodies_;
   double planned_s_ = -1e9;
-  double drawn_s_ = -1e9;
+  DrawingPace drawing_;
 };
 
 /// Until the stop is requested.
