@@ -4,7 +4,7 @@
 
     check_tree.py layers     who may include whom
     check_tree.py names      a .cpp has a header of its name beside it, and implements that one
-    check_tree.py mirrors    a .cpp of core that decides something has a test of its name
+    check_tree.py mirrors    a .cpp of core that decides something has a test of its name, an intention too
     check_tree.py licences   every source says its licence first
     check_tree.py documents  every file that the documents name exists
     check_tree.py promises   every row of the table in docs/safety.md names tests, and they exist
@@ -125,8 +125,10 @@ def functions(*sources):
 
 
 def mirrors():
-    for name in files("core/**/*.cpp"):
-        test = "tests/" + name.removesuffix(".cpp") + "_test.cpp"
+    intentions = [name for name in files("core/prediction/intentions/*.hpp")
+                  if re.search(r"constexpr IntentionRow k", (ROOT / name).read_text())]
+    for name in files("core/**/*.cpp") + intentions:
+        test = "tests/" + re.sub(r"\.[ch]pp$", "", name) + "_test.cpp"
         if not TESTLESS.fullmatch(name) and not (ROOT / test).exists():
             yield f"{name}: has no {test}"
 
