@@ -2,7 +2,8 @@
 // One row per parameter: the same rows load, validate, print and document.
 //
 // Every params struct P has `ParamRows rows(P&)`: one row per field, in the order in which they are
-// documented.
+// documented. Meanings are written there; the comments at the fields are copies, which `./run
+// format` makes.
 #pragma once
 
 #include <string>

@@ -80,7 +80,7 @@ struct PredictedState {
   Mat2 covariance_m2 = Mat2::Zero();  // horizontal
 };
 
-/// A place on a predicted path, with its covariance.
+/// A place on a predicted path, and the velocity there. World ENU.
 struct PathPoint {
   Vec3 position_enu_m = Vec3::Zero();
   Vec3 velocity_enu_m_s = Vec3::Zero();

@@ -36,6 +36,12 @@ ParamRows rows(MappingParams& p) {
        "unknown space this near before the camera is free"},
       {"start_reach_m", &p.start_reach_m, "m", 0.0, 5.0,
        "room before the camera, where the vehicle starts"},
+      {"bodies_stale_s", &p.bodies_stale_s, "s", 0.05, 5.0,
+       "bodies that are further in time from an image are none"},
+      {"image_stale_s", &p.image_stale_s, "s", 0.1, 60.0,
+       "without an image for so long, mapping says so"},
+      {"vehicle_stale_s", &p.vehicle_stale_s, "s", 0.05, 60.0,
+       "an older vehicle state counts as none, and mapping says so"},
   };
 }
 

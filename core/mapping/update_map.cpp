@@ -313,6 +313,12 @@ MapUpdate update_map(MappingState& state, const DepthImage& image, const Vehicle
   return update;
 }
 
+std::span<const MovingBody> bodies_at(double stamp_s, const MovingBodies& bodies,
+                                      const MappingParams& params) {
+  const bool is_stale = std::abs(stamp_s - bodies.stamp_s) > params.bodies_stale_s;
+  return is_stale ? std::span<const MovingBody>() : bodies.all();
+}
+
 const GridMap& local_map(const MappingState& state) {
   return state.map;
 }

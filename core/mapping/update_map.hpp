@@ -88,6 +88,10 @@ struct MapUpdate {
 MapUpdate update_map(MappingState& state, const DepthImage& image, const VehicleHistory& vehicle,
                      std::span<const MovingBody> bodies, const MappingParams& params);
 
+/// Those of the bodies that count for an image of this time: all, or none where they are stale.
+std::span<const MovingBody> bodies_at(double stamp_s, const MovingBodies& bodies,
+                                      const MappingParams& params);
+
 /// The box around the vehicle. It is empty before the first update.
 const GridMap& local_map(const MappingState& state);
 

@@ -54,12 +54,13 @@ struct NetworkModel {
   std::vector<NetworkLayer> layers;  ///< in the order in which they run
   int input = 0;                     ///< index of a tensor
   std::vector<int> outputs;          ///< indices of tensors
-  const NetworkTensor& tensor_of(int index) const { return tensors[index]; }
 };
 
-/// Throws NetworkFileError (core/network/flatbuffer.hpp) if a layer's inputs do not exist or are
-/// not computed before it, if its output has not the shape that follows from them, or if the layers
-/// together compute more than 2^27 numbers. After it, no layer can lead outside a tensor.
+/// After it, no layer can lead outside a tensor. Throws NetworkFileError
+/// (core/network/flatbuffer.hpp) in these cases:
+/// - a layer's inputs do not exist, or are not computed before it;
+/// - a layer's output has not the shape that follows from them;
+/// - the layers together compute more than 2^27 numbers.
 /// Preconditions: strides, dilations, windows and blocks are at least 1.
 void check_layers(const NetworkModel& model);
 

@@ -2,8 +2,9 @@
 #include "core/perception/params.hpp"
 
 namespace foretrack {
+namespace {
 
-ParamRows rows(PerceptionParams& p) {
+ParamRows rows_of_images(PerceptionParams& p) {
   return {
       {"model_complexity", &p.model_complexity, "1", 0, 2,
        "of the pose network: 0 lite, 1 full, 2 heavy"},
@@ -33,6 +34,11 @@ ParamRows rows(PerceptionParams& p) {
        "is not taken"},
       {"change_gate", &p.change_gate, "1", 0.5, 100.0,
        "the same of who was lost and is found again, while nobody is known to be near"},
+  };
+}
+
+ParamRows rows_of_pose(PerceptionParams& p) {
+  return {
       {"target_height_m", &p.target_height_m, "m", 0.5, 2.5, "height of the followed person"},
       {"landmark_height_m", &p.landmark_height_m, "m", 0.5, 2.5,
        "height that the landmarks' source assumes of everybody (BlazePose: 1.62)"},
@@ -57,6 +63,11 @@ ParamRows rows(PerceptionParams& p) {
        "along the line of sight, if a depth image gave the range"},
       {"depth_agreement_ratio", &p.depth_agreement_ratio, "1", 0.0, 1.0,
        "a depth that differs more from the landmarks' range, relative to it, is not used"},
+  };
+}
+
+ParamRows rows_of_filter(PerceptionParams& p) {
+  return {
       {"steady_density_m2_s3", &p.steady_density_m2_s3, "m2/s3", 1e-4, 100.0,
        "horizontal process noise: spectral density of the acceleration"},
       {"manoeuvre_density_m2_s3", &p.manoeuvre_density_m2_s3, "m2/s3", 1e-4, 100.0,
@@ -89,7 +100,25 @@ ParamRows rows(PerceptionParams& p) {
       {"lost_age_s", &p.lost_age_s, "s", 0.05, 60.0, "age from which it is lost"},
       {"reorder_limit_s", &p.reorder_limit_s, "s", 0.0, 10.0,
        "measurements later than this are not filtered in"},
+      {"delay_max_s", &p.delay_max_s, "s", 0.0, 10.0,
+       "of measurements that come late: no more is made up for"},
+      {"image_stale_s", &p.image_stale_s, "s", 0.01, 10.0, "an older image is not looked at"},
+      {"own_images_s", &p.own_images_s, "s", 0.05, 60.0,
+       "so long after an image was looked at, no other source of observations counts"},
+      {"same_instant_s", &p.same_instant_s, "s", 1e-6, 0.5,
+       "a depth image this near in time shows what the colour image does"},
+      {"vehicle_stale_s", &p.vehicle_stale_s, "s", 0.05, 60.0,
+       "an older vehicle state counts as none, and perception says so"},
   };
+}
+
+}  // namespace
+
+ParamRows rows(PerceptionParams& p) {
+  ParamRows all = rows_of_images(p);
+  for (const ParamRows& part : {rows_of_pose(p), rows_of_filter(p)})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace foretrack

@@ -11,13 +11,14 @@ namespace foretrack {
 /// checks it.
 PlanReason try_stop(PlanningState& state, const PlanTask& task, StageClock& clock);
 
-/// The best that is possible without a new way. The flown trajectory and its stop tail fly on
-/// (kKept, kHold once it stands) if they are still clear in this map and of everybody who moves.
-/// Where somebody comes too near, or nothing is clear any more, the least gap cost decides between
-/// what is flown, the candidate that failed by its gaps alone, and the evasions (the latter two:
-/// kFresh or kSearch with the reason). If none of them is clear of the map, or
-/// nothing that was flown is clear and nobody is near, the vehicle brakes
-/// (kHold), whatever the check says of that.
+/// The best that is possible without a new way. The first of these that can be had:
+/// - What is flown, and its stop tail, if they are still clear in this map and of everybody who
+///   moves: kKept, or kHold once the vehicle stands.
+/// - If somebody comes too near, or nothing that was flown is clear: what costs least in gaps.
+///   Considered are what is flown, the candidate that failed by its gaps alone, and the evasions.
+///   The latter two are kFresh or kSearch, with the reason.
+/// - A braking manoeuvre (kHold), whatever the check says of it. So it ends if nothing else is
+///   clear of the map, or if nothing that was flown is clear and nobody is near.
 const PlanResult& fall_back(PlanningState& state, const PlanTask& task, PlanReason reason,
                             StageClock& clock);
 

@@ -8,9 +8,9 @@
 
 namespace foretrack {
 
-/// Makes the next candidate the flown trajectory: id, stamp, status (kFresh, or kSearch for a lost
-/// target) and reason, the corridor, and the visible region of each time step of the likeliest
-/// path, where those steps begin way_begin_s after the trajectory.
+/// Makes the next candidate the flown trajectory. Fills in its id, stamp, status (kFresh, or
+/// kSearch for a lost target), reason and corridor, and a visible region for each time step of the
+/// likeliest path. Those steps begin way_begin_s after the trajectory does.
 const PlanResult& publish(PlanningState& state, const PlanTask& task, double way_begin_s,
                           const StageClock& clock);
 

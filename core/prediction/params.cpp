@@ -13,6 +13,8 @@ ParamRows rows(PredictionParams& p) {
        "paths lead around obstacles; else one of constant velocity whatever stands there"},
       {"path_probability_min", &p.path_probability_min, "", 0.0, 0.25,
        "less likely paths are left out, all but the likeliest"},
+      {"target_stale_s", &p.target_stale_s, "s", 0.05, 10.0,
+       "without a target state for so long, nobody is expected anywhere"},
       {"region_horizon_s", &p.region_horizon_s, "s", 0.1, 5.0, "what the reachable region covers"},
       {"region_min_radius_m", &p.region_min_radius_m, "m", 0.1, 10.0, "its least radius"},
       {"region_rays_per_side", &p.region_rays_per_side, "", 2, 90, "rays over 90 degrees"},

@@ -10,54 +10,70 @@
 
 namespace foretrack {
 
-/// Defaults are those of the parts that the gate is made of. What each of them means, and its
-/// range, is in its row: see rows(), or `foretrack params safety`.
+/// Defaults are those of the parts that the gate is made of. Ranges are in the rows: see rows(), or
+/// `foretrack params safety`.
 struct SafetyParams {
   // ages, by arrival
-  double plan_fresh_s = 0.25;
-  double hover_limit_s = 5.0;
-  double vehicle_stale_s = 0.3;
-  double vehicle_lost_s = 1.0;
-  double autopilot_stale_s = 2.0;
-  double map_stale_s = 2.0;
-  double bodies_stale_s = 1.0;
-  double recover_s = 0.5;
+  double plan_fresh_s = 0.25;      ///< a plan older than this coasts
+  double hover_limit_s = 5.0;      ///< without any plan for this long the heartbeat stops
+  double vehicle_stale_s = 0.3;    ///< without a vehicle state for so long: brake
+  double vehicle_lost_s = 1.0;     ///< and for so long: silence
+  double autopilot_stale_s = 2.0;  ///< longest silence of the flight controller
+  double map_stale_s = 2.0;        ///< an older map is none
+  double bodies_stale_s = 1.0;     ///< people around that are older are none
+  double recover_s = 0.5;          ///< a fault must be away for so long before it counts as over
   // odometry
+  /// from one vehicle state to the next, beyond what its velocity tells: brake
   double odometry_jump_m = OdometryParams{}.jump_m;
-  double odometry_drift_m = OdometryParams{}.drift_m;
+  double odometry_drift_m = OdometryParams{}.drift_m;  ///< the same, summed up over a second
+  /// the vehicle stands still while so much motion is commanded: brake
   double odometry_frozen_m = OdometryParams{}.frozen_path_m;
+  /// odometry is believed again after so long without faults
   double odometry_settle_s = OdometryParams{}.settle_s;
   // what a plan may demand, and keep clear of
-  double speed_max_m_s = MotionLimits{}.speed_m_s;
+  double speed_max_m_s = MotionLimits{}.speed_m_s;  ///< a faster plan is refused
+  /// a plan that accelerates harder is refused
   double acceleration_max_m_s2 = MotionLimits{}.acceleration_m_s2;
+  /// a plan that turns faster is refused
   double yaw_rate_max_rad_s = MotionLimits{}.yaw_rate_rad_s;
-  double vehicle_radius_m = Clearances{}.vehicle_radius_m;
+  double vehicle_radius_m = Clearances{}.vehicle_radius_m;  ///< of the vehicle's hull
+  /// least distance of a plan to what is occupied or unknown
   double obstacle_m = Clearances{}.obstacle_m;
+  /// least gap of a plan to people and vehicles, unless nothing else is farther away
   double body_m = Clearances{}.body_m;
-  double bounds_m = Clearances{}.bounds_m;
-  bool needs_map = PlanCheckParams{}.needs_map;
-  bool heeds_images = true;
+  double bounds_m = Clearances{}.bounds_m;  ///< so far inside of fence and altitudes plans stay
+  bool needs_map = PlanCheckParams{}.needs_map;  ///< without a map no plan is flown
+  bool heeds_images = true;  ///< hover while colour or depth images are frozen, dark or covered
   // limits of the flight
-  double altitude_min_m = -1000.0;
-  double altitude_max_m = 1000.0;
+  double altitude_min_m = -1000.0;  ///< least altitude, world ENU
+  double altitude_max_m = 1000.0;   ///< greatest altitude, world ENU
+  /// share of the battery that is kept; 0: not watched
   double battery_reserve = LimitParams{}.battery_reserve;
+  /// longest silence of the operator; 0: none is asked for
   double link_timeout_s = LimitParams{}.link_timeout_s;
+  /// outside of the fence: 0 none, 1 hold, 2 return, 3 land
   int fence_reaction = LimitParams{}.reactions[0];
-  int altitude_reaction = LimitParams{}.reactions[1];
-  int battery_reaction = LimitParams{}.reactions[2];
-  int link_reaction = LimitParams{}.reactions[3];
+  int altitude_reaction = LimitParams{}.reactions[1];  ///< outside of the altitudes, the same
+  int battery_reaction = LimitParams{}.reactions[2];   ///< at the battery's reserve, the same
+  int link_reaction = LimitParams{}.reactions[3];      ///< without word from the operator, the same
   // flight
-  double max_deviation_m = 1.0;
-  double brake_done_m_s = 0.2;
+  double max_deviation_m = 1.0;  ///< farther than this from the flown trajectory: brake
+  double brake_done_m_s = 0.2;   ///< below this speed a position is held
+  /// time in which the vehicle's tilt follows; accelerations are commanded so much ahead
   double response_s = 0.1;
   // orders
-  double command_max_age_s = MissionRules{}.max_age_s;
+  double command_max_age_s = MissionRules{}.max_age_s;  ///< older commands are refused
+  /// commands stamped farther ahead are refused
   double command_future_s = MissionRules{}.future_s;
+  /// an operator's lease ends that long after it was last renewed
   double lease_s = MissionRules{}.lease_s;
   // the flight controller
+  /// a request that the flight controller does not answer for so long is given up
   double answer_s = AskParams{}.answer_s;
-  double done_s = AskParams{}.done_s;
+  double done_s = AskParams{}.done_s;  ///< so is one that it accepted, but does not do for so long
+  /// unbroken heartbeat before offboard mode is asked for
   double heartbeat_before_s = CarryOutParams{}.heartbeat_before_s;
+  /// an order to start ends that long after it, unless target, map and plan have come
   double start_patience_s = CarryOutParams{}.patience_s;
 
   MissionRules mission_rules() const { return {command_max_age_s, command_future_s, lease_s}; }

@@ -36,8 +36,8 @@ struct PeopleDetector {
 /// The same seed gives the same noise.
 PeopleDetector make_people_detector(const PeopleDetectorParams& params, std::uint64_t seed);
 
-/// Truth: somebody can be seen of whom at least half of the five body points are in the image, in
-/// range, and see the camera past the world, the followed person and each other.
+/// Truth: whether somebody can be seen. At least half of the five body points must be in the image
+/// and in range, and see the camera past the world, the followed person and the other people.
 bool is_in_sight(const PeopleDetectorParams& params, const World& world,
                  const VehicleState& vehicle, std::span<const Person> people,
                  const Cylinder& followed, std::size_t whose);

@@ -6,8 +6,6 @@
 namespace foretrack {
 namespace {
 
-constexpr double kLongestDelay_s = 1.0;
-
 const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
   if (input.known_map) return input.known_map;
   return state.mapping.map.empty() ? nullptr : &state.mapping.map;
@@ -21,7 +19,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   TrackerOutput out;
   state.vehicles.add(input.vehicle);
   if (input.observation) {
-    state.delay_s = std::clamp(input.now_s - input.observation->stamp_s, 0.0, kLongestDelay_s);
+    state.delay_s =
+        std::clamp(input.now_s - input.observation->stamp_s, 0.0, params.perception.delay_max_s);
     perceive(state.perception, *input.observation, state.vehicles, params.perception,
              input.torso_depth_m);
   }
@@ -30,7 +29,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   out.target.status =
       track_status(state.perception, input.now_s - state.delay_s, params.perception);
   if (input.depth) {
-    update_map(state.mapping, *input.depth, state.vehicles, state.around.all(), params.mapping);
+    update_map(state.mapping, *input.depth, state.vehicles,
+               bodies_at(input.depth->stamp_s, state.around, params.mapping), params.mapping);
     track_bodies(state.bodies, state.mapping.movers, out.target, params.bodies);
   }
   if (input.sightings)

@@ -41,21 +41,6 @@ bool in_use(const std::string& name) {
 
 }  // namespace
 
-std::vector<SharedMemoryFile> shared_memory_files() {
-  std::error_code error;
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(kFolder, error)) {
-    const std::string name = entry.path().filename();
-    if (name.starts_with(kPrefix)) names.insert(without_lock_suffix(name));
-  }
-  std::vector<SharedMemoryFile> files;
-  for (const auto& name : names) {
-    const auto bytes = fs::file_size(kFolder / name, error);
-    files.push_back({name, error ? 0 : bytes, in_use(name)});
-  }
-  return files;
-}
-
 std::set<std::string> mapped_shared_memory(pid_t pid) {
   std::set<std::string> names;
   std::ifstream maps(fmt::format("/proc/{}/maps", pid));

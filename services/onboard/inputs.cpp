@@ -4,11 +4,6 @@
 #include <limits>
 
 namespace foretrack {
-namespace {
-
-constexpr double kRestart_s = 1.0;
-
-}  // namespace
 
 VehicleInput::VehicleInput(Service& service, std::function<void()> changed)
     : reader_(service.node()) {
@@ -22,7 +17,6 @@ VehicleInput::VehicleInput(Service& service, std::function<void()> changed)
       });
 }
 
-// Time that goes back far means that the source, e.g. a simulation, was started anew.
 void VehicleInput::add(const VehicleState& state) {
   if (newest() && state.stamp_s < newest()->stamp_s - kRestart_s) history_ = VehicleHistory();
   history_.add(state);

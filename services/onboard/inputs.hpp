@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the onboard services share: the vehicle's state.
+// What the onboard services share: the vehicle's state, and how long they wait.
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "core/common/vehicle.hpp"
@@ -10,6 +11,27 @@
 #include "services/convert/vehicle.hpp"
 
 namespace foretrack {
+
+/// An image may arrive before the odometry of its stamp, which comes at 30 Hz or more: so long it
+/// is waited for.
+inline constexpr double kPoseWait_s = 0.05;
+/// Time that goes back further means that its source, e.g. a simulation, was started anew.
+inline constexpr double kRestart_s = 1.0;
+
+/// Lines and markers for other tools are drawn ten times a second at most.
+class DrawingPace {
+ public:
+  /// True if the last drawing was long enough ago; what asks draws now.
+  bool is_due(double now_s) {
+    if (std::abs(now_s - drawn_s_) < kPeriod_s) return false;
+    drawn_s_ = now_s;
+    return true;
+  }
+
+ private:
+  static constexpr double kPeriod_s = 0.1;
+  double drawn_s_ = -1e9;
+};
 
 /// The vehicle's odometry: its newest state and the history that images need.
 class VehicleInput {

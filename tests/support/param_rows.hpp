@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the rows of a params struct say all of it.
+// Whether the rows of a params struct say all of it: tests for every stage's.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -46,5 +48,25 @@ inline std::string repeated_name(const ParamRows& rows) {
     if (!names.insert(row.name).second) return std::string(row.name);
   return {};
 }
+
+/// Each stage instantiates this for its params.
+template <class Params>
+class ParamRowsOf : public ::testing::Test {};
+TYPED_TEST_SUITE_P(ParamRowsOf);
+
+TYPED_TEST_P(ParamRowsOf, EveryFieldHasOneRowAndAValidDefault) {
+  TypeParam params;
+  EXPECT_EQ(first_hidden_byte(params), -1);
+  EXPECT_EQ(repeated_name(rows(params)), "");
+  EXPECT_TRUE(faults_of(rows(params)).empty());
+}
+
+TYPED_TEST_P(ParamRowsOf, EveryRowSaysWhatItMeans) {
+  TypeParam params;
+  for (const ParamRow& row : rows(params)) EXPECT_FALSE(row.meaning.empty()) << row.name;
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ParamRowsOf, EveryFieldHasOneRowAndAValidDefault,
+                            EveryRowSaysWhatItMeans);
 
 }  // namespace foretrack::testing

@@ -3,8 +3,8 @@
 """Whether the tree keeps its own rules; each rule is a test.
 
     check_tree.py layers     who may include whom
-    check_tree.py names      a .cpp has the header that it implements beside it
-    check_tree.py mirrors    a .cpp of core that decides something has a test of its name
+    check_tree.py names      a .cpp has a header of its name beside it, and implements that one
+    check_tree.py mirrors    a .cpp of core that decides something has a test of its name, an intention too
     check_tree.py licences   every source says its licence first
     check_tree.py documents  every file that the documents name exists
     check_tree.py promises   every row of the table in docs/safety.md names tests, and they exist
@@ -38,6 +38,9 @@ HEADERLESS = re.compile(r"services/cli/\w+_commands?\.cpp|.*/main\.cpp"
 
 # What decides nothing: fitted numbers, and memory that is taken beforehand.
 TESTLESS = re.compile(r"core/prediction/(intentions/)?\w+_weights\.cpp|core/planning/planning_state\.cpp")
+
+# Of two classes that hide the middleware behind them.
+HIDDEN = {"services/common/dds_impl.hpp"}
 
 MADE = {"core/version.hpp"}  # by the build
 
@@ -88,14 +91,44 @@ def layers():
 
 
 def names():
-    for name in files("core/**/*.cpp", "services/**/*.cpp"):
+    sources = files("core/**/*.cpp", "services/**/*.cpp")
+    for name in sources:
         if not HEADERLESS.fullmatch(name) and not (ROOT / name).with_suffix(".hpp").exists():
             yield f"{name}: has no header of its name; its content belongs where it is declared"
+    if not shutil.which("ctags"):
+        return  # lengths() says so
+    declared = {}
+    for name, kind, function in functions(*sources, *files("core/**/*.hpp", "services/**/*.hpp")):
+        if kind == "prototype":
+            declared.setdefault(function, set()).add(name)
+    for name, kind, function in functions(*sources):
+        headers = {header for header in declared.get(function, ()) if header.endswith(".hpp")}
+        if headers and not HEADERLESS.fullmatch(name) and not HIDDEN.intersection(headers) and \
+                name.removesuffix(".cpp") + ".hpp" not in headers:
+            yield f"{name}: {function[1]} is declared in {', '.join(sorted(headers))}"
+
+
+def functions(*sources):
+    """(file, prototype or function, (class, name, types of its arguments))"""
+    tags = subprocess.run(
+        ["ctags", "--languages=C++", "--kinds-C++=fp", "--fields=KsS", "-f", "-", *sources],
+        cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    for line in tags.splitlines():
+        function, name, rest = line.split("\t", 2)
+        kind, *fields = rest.split(';"\t')[1].split("\t")
+        told = dict(field.split(":", 1) for field in fields if ":" in field)
+        scope = told.get("class", told.get("struct", ""))
+        if "__anon" in scope + told.get("namespace", "") + function:
+            continue
+        arguments = re.sub(r" = [^,)]*|\s*\b\w+(?=[,)])|\s", "", told.get("signature", ""))
+        yield name, kind, (scope.split("::")[-1], function, arguments)
 
 
 def mirrors():
-    for name in files("core/**/*.cpp"):
-        test = "tests/" + name.removesuffix(".cpp") + "_test.cpp"
+    intentions = [name for name in files("core/prediction/intentions/*.hpp")
+                  if re.search(r"constexpr IntentionRow k", (ROOT / name).read_text())]
+    for name in files("core/**/*.cpp") + intentions:
+        test = "tests/" + re.sub(r"\.[ch]pp$", "", name) + "_test.cpp"
         if not TESTLESS.fullmatch(name) and not (ROOT / test).exists():
             yield f"{name}: has no {test}"
 

@@ -9,14 +9,15 @@ namespace foretrack {
 
 /// What a trajectory must keep to be flown.
 struct CheckParams {
-  double vehicle_radius_m = 0.35;
+  double vehicle_radius_m = 0.35;  ///< least distance to occupied or unknown space
+  /// how far from a start too near to obstacles the way may stay too near
   double escape_reach_m = 1.0;
-  double position_tolerance_m = 0.02;
-  double velocity_tolerance_m_s = 0.05;
-  double acceleration_tolerance_m_s2 = 0.2;
-  double yaw_tolerance_rad = 0.02;
-  double yaw_rate_tolerance_rad_s = 0.05;
-  double limit_tolerance = 1.0e-3;
+  double position_tolerance_m = 0.02;        ///< at joints
+  double velocity_tolerance_m_s = 0.05;      ///< at joints
+  double acceleration_tolerance_m_s2 = 0.2;  ///< at joints
+  double yaw_tolerance_rad = 0.02;           ///< at joints
+  double yaw_rate_tolerance_rad_s = 0.05;    ///< at joints
+  double limit_tolerance = 1.0e-3;           ///< relative, of every limit
 };
 /// One row for each field: name, unit, range, meaning.
 ParamRows rows(CheckParams& params);

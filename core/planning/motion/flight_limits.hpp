@@ -9,10 +9,10 @@ namespace foretrack {
 
 /// Shared by the optimiser, the stop tail, the yaw plan and the check. Defaults: paper §VI.
 struct FlightLimits {
-  double speed_max_m_s = 3.0;
-  double acceleration_max_m_s2 = 5.0;
-  double yaw_rate_max_rad_s = 2.0;
-  double yaw_acceleration_max_rad_s2 = 6.0;
+  double speed_max_m_s = 3.0;                ///< greatest speed
+  double acceleration_max_m_s2 = 5.0;        ///< greatest acceleration
+  double yaw_rate_max_rad_s = 2.0;           ///< greatest yaw rate
+  double yaw_acceleration_max_rad_s2 = 6.0;  ///< greatest yaw acceleration
 };
 /// Of the limits, in plans: what is flown swings over what is planned, by 5 to 7 % (simulated).
 inline constexpr double kPlannedShare = 0.93;

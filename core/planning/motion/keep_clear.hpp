@@ -12,20 +12,23 @@ namespace foretrack {
 
 /// A gap is the distance in space between the vehicle's ball and a body's upright cylinder.
 struct GapParams {
-  double hull_radius_m = 0.25;          // of the vehicle's ball
-  double gap_min_m = 0.5;               // the check asks for so much
-  double gap_wanted_m = 0.8;            // search and optimiser try for so much
-  double reach_gap_m = 0.1;             // kept while stopping, whatever a body does
-  double body_horizon_s = 3.0;          // expected places count so far ahead
-  double unlikely_horizon_s = 0.0;      // those of less likely courses
-  double course_probability_min = 0.1;  // less likely courses do not count
-  double reaction_s = 0.1;              // until a stop can begin
-  double retreat_s = 0.0;               // from the stop until it has left that place
-  double body_speed_m_s = 2.0;          // a body may be so fast at any moment, or as it is seen
-  double body_acceleration_m_s2 = 3.0;  // and change its velocity so fast
-  double person_height_m = 1.75;        // of the followed person
-  double person_radius_m = 0.25;        // the same
-  double least_altitude_m = 1.0;        // of the vehicle above the ground
+  /// of the ball around the vehicle, by which gaps to people and vehicles are measured
+  double hull_radius_m = 0.25;
+  /// a trajectory that comes nearer to somebody's expected places fails the check
+  double gap_min_m = 0.5;
+  /// search and optimiser keep so far from expected places where they can
+  double gap_wanted_m = 0.8;
+  double reach_gap_m = 0.1;  ///< kept while the vehicle stops, however bodies turn, stop or start
+  double body_horizon_s = 3.0;          ///< expected places of bodies count so far ahead
+  double unlikely_horizon_s = 0.0;      ///< the same, of courses that are not the likeliest
+  double course_probability_min = 0.1;  ///< less likely courses of the followed person do not count
+  double reaction_s = 0.1;              ///< until the vehicle can begin to stop
+  double retreat_s = 0.0;               ///< until it has left the place of its stop
+  double body_speed_m_s = 2.0;  ///< anybody may move so fast at any moment, or as fast as seen
+  double body_acceleration_m_s2 = 3.0;  ///< anybody may change their velocity so fast
+  double person_height_m = 1.75;        ///< of the followed person
+  double person_radius_m = 0.25;        ///< of the followed person
+  double least_altitude_m = 1.0;        ///< the vehicle stays so high above the ground below it
 
   BodyMotionBounds bounds() const { return {body_speed_m_s, body_acceleration_m_s2}; }
 };
@@ -64,10 +67,11 @@ struct BodyGaps {
 };
 
 /// Measures a trajectory from t_s on; absolute time is trajectory.start_s + t. The expected gap
-/// counts over each course's horizon. The reach is that of a stop which begins reaction_s after
-/// t_s and lasts until the vehicle can have left its place (retreat_s), or of going on for as long,
-/// whichever keeps clearer: each body's
-/// reachable disc is kept clear of what the vehicle cannot leave.
+/// counts over each course's horizon.
+/// The reach says whether each body's reachable disc is kept clear of what the vehicle cannot leave
+/// in time. Two ways are measured, and the one that keeps clearer counts: a stop that begins
+/// reaction_s after t_s and lasts until the vehicle can have left its place (retreat_s), and to go
+/// on for as long.
 /// Cost: about 0.3 µs a course and 0.1 s.
 BodyGaps measure_gaps(const PlannedTrajectory& trajectory, double t_s, const BodyCourses& courses,
                       const FlightLimits& limits, const GapParams& params);

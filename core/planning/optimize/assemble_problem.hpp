@@ -10,24 +10,27 @@
 
 namespace foretrack {
 
-/// Decomposes free space around every segment of the path (paper: F). Where there is room, it is
-/// as far from obstacles as the vehicle leaves plans of the segment's speed; where there is not, as
-/// the check asks. A segment that begins or ends nearer to obstacles has a polytope that comes no
-/// nearer. False if a segment touches what the vehicle may not enter.
+/// Makes one polytope of free space for each segment of the path (paper: F). Where there is room,
+/// it keeps as far from obstacles as the vehicle leaves plans of that speed; elsewhere, as far as
+/// the check asks. Where a segment begins or ends too near to obstacles, its polytope comes no
+/// nearer to them than that. False if a segment touches what the vehicle may not enter.
 bool build_corridor(const SearchContext& context, const FlightPath& path,
                     const DeviationBound& deviation, CorridorWorkspace& workspace,
                     std::vector<Polytope>& corridor);
 
-/// First guess (waypoints at the path's vertices and in the middle of its segments) and boundary
-/// states: the plan ends near the path's end, in its last polytope, where distance and sight to the
-/// ends of the target's paths are best in expectation, with the target's mean velocity there as far
-/// as there is room to stop. Reads the corridor; leaves it and the samples as they are.
+/// Writes the first guess and the boundary states.
+/// - Waypoints: the path's vertices, and the middles of its segments.
+/// - Start: that of the plan.
+/// - End: a place near the path's end, in the last polytope. It is the one with the best distance
+///   and sight, in expectation over the ends of the target's paths. The velocity there is the
+///   target's mean one, or as much of it as leaves room to stop.
+/// Reads the corridor. Does not change the corridor or the samples.
 void guess_trajectory(const SearchContext& context, const FlightPath& path, const PlanStart& start,
                       const ExpectedTarget& target, OptimizationProblem& problem);
 
-/// The places of everybody who moves that the way may come near to, as samples:
-/// 0.1 s apart over each course's horizon, and over as long as the problem
-/// lasts. Needs the guess.
+/// Adds samples of everybody who moves and may come near the path: where they are expected, every
+/// 0.1 s, until their course or the planned horizon ends. Call guess_trajectory()
+/// first.
 void add_bodies(const SearchContext& context, const FlightPath& path, OptimizationProblem& problem);
 
 }  // namespace foretrack

@@ -7,9 +7,11 @@
 
 namespace foretrack {
 
-/// T_i = S · w(τ_i) / Σ w(τ_j) and S = min_total_s + kExtraScale_s · w(σ), with the smooth,
-/// positive and increasing w(x) = (x + √(x² + 4)) / 2, for which w(−x) = 1 / w(x). Variables: τ,
-/// then σ. Square roots only: the same bits on every machine.
+/// Durations from variables that may have any value. The variables are τ_1, τ_2, …, then σ.
+/// - T_i = S · w(τ_i) / Σ w(τ_j)
+/// - S = min_total_s + kExtraScale_s · w(σ)
+/// - w(x) = (x + √(x² + 4)) / 2: smooth, positive, increasing, and w(−x) = 1 / w(x).
+/// Square roots only: the same bits on every machine.
 struct DurationMap {
   double min_total_s = 0.0;
 

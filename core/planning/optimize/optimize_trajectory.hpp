@@ -56,20 +56,21 @@ struct OptimizationProblem {
 
 /// Weights of the cost, and bounds of the work.
 struct OptimizerParams {
-  double time_weight = 20.0;
-  double corridor_weight = 4.0e6;
-  double speed_weight = 4.0e3;
-  double acceleration_weight = 4.0e2;
-  double visibility_weight = 4.0e5;
-  double next_visibility_weight = 2.0e5;
-  double distance_weight = 1.0e5;
-  double height_weight = 1.0e3;
-  double gap_weight = 4.0e5;
+  double time_weight = 20.0;              ///< cost of a second (rho)
+  double corridor_weight = 4.0e6;         ///< of leaving the corridor
+  double speed_weight = 4.0e3;            ///< of speed above the limit
+  double acceleration_weight = 4.0e2;     ///< of acceleration above the limit
+  double visibility_weight = 4.0e5;       ///< of leaving the visible region at its time
+  double next_visibility_weight = 2.0e5;  ///< of being outside the next visible region
+  double distance_weight = 1.0e5;         ///< of leaving the distance band
+  double height_weight = 1.0e3;           ///< of leaving the height band
+  double gap_weight = 4.0e5;  ///< of coming nearer than gap_wanted_m to somebody who moves
+  /// where the speed and acceleration penalties begin, of the limits
   double limit_fraction = 0.93;
-  double corridor_margin_m = 0.03;
-  double relative_decrease = 3.0e-4;
-  int iterations_max = 60;
-  int evaluations_max = 90;
+  double corridor_margin_m = 0.03;    ///< penalties begin this far inside the corridor
+  double relative_decrease = 3.0e-4;  ///< stop when the cost decreases less over three iterations
+  int iterations_max = 60;            ///< most iterations
+  int evaluations_max = 90;           ///< most evaluations
 };
 /// One row for each field: name, unit, range, meaning.
 ParamRows rows(OptimizerParams& params);

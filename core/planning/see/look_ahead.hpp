@@ -26,10 +26,12 @@ struct LookAhead {
   bool path_found = false;                              // some waypoint was reached
 };
 
-/// Paper §V.A: for each z_k of the likeliest path a search for waypoint k goes on from waypoint
-/// k − 1, its visible region is found and shrunk by the intention's margins, and the waypoint is
-/// turned into it. The other paths' regions are those around the same waypoints; z_k that are
-/// merged with those of a likelier path have none. `assessment` may be null: no margins beyond the
+/// Paper §V.A, for each z_k of the likeliest path:
+/// - The search for waypoint k goes on from waypoint k − 1.
+/// - The visible region of z_k is found, and the intention's margins shrink it.
+/// - The waypoint is turned into it.
+/// The regions of the other paths are those around the same waypoints. A z_k that is merged with
+/// one of a likelier path has no region. `assessment` may be null: there are no margins beyond the
 /// least.
 void look_ahead(const SearchContext& context, const Vec3& start_enu_m, const Vec3& start_velocity,
                 const ExpectedTarget& expected, const IntentionAssessment* assessment,

@@ -56,12 +56,15 @@ enum class WaypointKind : std::uint8_t {
 /// Moves the window to the vehicle and sets the count of expansions to zero.
 void begin_searches(SearchState& state, const SearchContext& context, const Vec3& start_enu_m);
 
-/// A* in the flight surface from `from` to the nearest place whose horizontal distance to the
-/// target is the wanted one within the tolerance, with free line of sight to it, and the check's
-/// gap to everybody who is expected nearby at time_s (absolute). Way within the wanted gap costs
-/// more. Appends the places after `from` to `path` (nothing if `from` is such a place already). A
-/// start nearer to obstacles than allowed may be left in directions that do not come nearer. Cost:
-/// bounded by expansions_max; in open space a few expansions a cell of way.
+/// A* in the flight surface, from `from` to the nearest place that is good for seeing the target.
+/// Good means:
+/// - the horizontal distance to the target is the wanted one, within the tolerance;
+/// - the line of sight to the target is free;
+/// - everybody who is expected nearby at time_s (absolute) is at least the check's gap away.
+/// Way within the wanted gap costs more. Appends the places after `from` to `path`; nothing if
+/// `from` is good already. A start nearer to obstacles than allowed may be left in directions that
+/// do not come nearer. Cost: bounded by expansions_max; in open space a few expansions a cell of
+/// way.
 WaypointKind search_waypoint(SearchState& state, const SearchContext& context, const Vec3& from,
                              const Vec3& target_enu_m, double time_s, int expansions_max,
                              std::vector<Vec3>& path);

@@ -10,9 +10,9 @@
 
 namespace foretrack::station {
 
-/// If of two participants only one dropped the other, for a pause or a gap of the link that just
-/// lasted a lease, Fast DDS 2.9 does not exchange their endpoints again, and one hears nothing of
-/// the other from then on. Here that is told from an end: who ended, is frozen or out of reach is
+/// Two participants may lose each other on one side only, by a pause or a gap of the link that just
+/// lasted a lease. Fast DDS 2.9 then does not exchange their endpoints again: one hears nothing of
+/// the other from then on. Here that is told from an end. Who ended, is frozen or out of reach is
 /// dropped by discovery after its lease, and does not come back.
 class Hearing {
  public:

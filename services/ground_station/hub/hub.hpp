@@ -38,7 +38,6 @@ class Hub {
   /// Whether samples of the channel were left out in the last two seconds.
   bool limited(std::uint32_t channel, double now_s) const;
   std::vector<ClientReport> clients(double now_s);
-  std::size_t client_count() const { return clients_.size(); }
 
   /// Called when a client subscribes or unsubscribes.
   std::function<void()> on_interest;

@@ -34,9 +34,9 @@ struct OutboxLimits {
 
 /// A fast client gets everything. For a slow one, old samples give way to newer ones of the same
 /// topic, so that what it sees stays live; the budget drops the oldest. Topics share a slow link by
-/// bytes (fair queueing), and one whose sample took long to send, a map, rests for longer than
-/// that, so that small and frequent ones go on beside it. Texts go first and are never dropped:
-/// when they alone exceed the budget, the client is too slow to be served.
+/// bytes (fair queueing). A topic whose sample took long to send, such as a map, then rests for
+/// longer than that: small and frequent topics go on meanwhile. Texts go first and are never
+/// dropped: when they alone exceed the budget, the client is too slow to be served.
 class Outbox {
  public:
   explicit Outbox(const OutboxLimits& limits) : limits_(limits) {}

@@ -37,8 +37,6 @@ class Reader {
   }
   /// Why reading ended before the file's own end; empty: it did not.
   const std::string& fault() const { return fault_; }
-  /// Where the last whole record of the data ends.
-  std::uint64_t good_bytes() const { return good_bytes_; }
   /// The file has its end, so it was finished.
   bool complete() const { return complete_; }
 

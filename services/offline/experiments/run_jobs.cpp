@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "services/common/time_now.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/offline/flight/fly.hpp"
 
 namespace foretrack {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kDepthCost = 10.0;  // of a flight that builds its map, against one that knows it
 
@@ -70,7 +68,7 @@ class Pool {
     const std::lock_guard lock(mutex_);
     ++done_;
     cost_done_ += cost_of(job);
-    const double elapsed_s = std::chrono::duration<double>(Clock::now() - begin_).count();
+    const double elapsed_s = steady_s() - begin_s_;
     if (show_)
       show_({done_, jobs_.size(), elapsed_s, elapsed_s * (cost_total_ / cost_done_ - 1.0)});
   }
@@ -86,7 +84,7 @@ class Pool {
   std::string error_;
   std::size_t done_ = 0;
   double cost_total_ = 0.0, cost_done_ = 0.0;
-  Clock::time_point begin_ = Clock::now();
+  double begin_s_ = steady_s();
 };
 
 }  // namespace

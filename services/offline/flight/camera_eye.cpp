@@ -8,10 +8,9 @@
 namespace foretrack {
 namespace {
 
-constexpr double kSameInstant_s = 1e-6;
-
-double torso_depth_of(const TargetObservation& observation, const DepthImage* depth) {
-  const bool fits = depth && std::abs(depth->stamp_s - observation.stamp_s) < kSameInstant_s;
+double torso_depth_of(const TargetObservation& observation, const DepthImage* depth,
+                      double same_instant_s) {
+  const bool fits = depth && std::abs(depth->stamp_s - observation.stamp_s) <= same_instant_s;
   const auto surface_m = fits ? torso_surface_depth_m(observation, *depth) : std::nullopt;
   return surface_m.value_or(std::numeric_limits<double>::quiet_NaN());
 }
@@ -29,7 +28,7 @@ const CameraEye::Seen* CameraEye::look(const SimulatorOutput& output, const Perc
     if (seen.found) {
       seen.observation = to_observation(result_.person, image->stamp_s, image->camera, params_);
       seen.observation.doubtful = result_.ambiguous;
-      seen.torso_depth_m = torso_depth_of(seen.observation, output.depth);
+      seen.torso_depth_m = torso_depth_of(seen.observation, output.depth, params_.same_instant_s);
     }
     const auto others = watch_others(state_, image->pixels, image->stamp_s, network_, params_);
     sight_people(others, image->stamp_s, image->camera, vehicles, params_, seen.others);

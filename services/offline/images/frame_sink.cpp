@@ -48,9 +48,9 @@ cv::Mat bgr_of(const RgbImage& image) {
   return bgr;
 }
 
-class Picture : public FrameSink {
+class PictureSink : public FrameSink {
  public:
-  explicit Picture(std::string file) : file_(std::move(file)) {}
+  explicit PictureSink(std::string file) : file_(std::move(file)) {}
   void write(const RgbImage& image) override {
     if (!cv::imwrite(file_, bgr_of(image))) throw std::runtime_error(file_ + ": cannot be written");
   }
@@ -59,9 +59,9 @@ class Picture : public FrameSink {
   std::string file_;
 };
 
-class VideoFile : public FrameSink {
+class VideoSink : public FrameSink {
  public:
-  VideoFile(std::string file, double rate_hz) : file_(std::move(file)), rate_hz_(rate_hz) {}
+  VideoSink(std::string file, double rate_hz) : file_(std::move(file)), rate_hz_(rate_hz) {}
   void write(const RgbImage& image) override {
     const cv::Mat bgr = bgr_of(image);
     if (!writer_.isOpened()) open(bgr.size());
@@ -121,11 +121,11 @@ bool is_video_name(const std::string& file) {
 }
 
 std::unique_ptr<FrameSink> open_sink(const std::string& file, double rate_hz) {
-  if (is_video_name(file)) return std::make_unique<VideoFile>(file, rate_hz > 1.0 ? rate_hz : 30.0);
+  if (is_video_name(file)) return std::make_unique<VideoSink>(file, rate_hz > 1.0 ? rate_hz : 30.0);
   const std::string ending = ending_of(file);
   if (ending != ".png" && ending != ".jpg" && ending != ".jpeg")
     throw std::invalid_argument(file + ": .png, .jpg, .mp4, .avi or .mkv expected");
-  return std::make_unique<Picture>(file);
+  return std::make_unique<PictureSink>(file);
 }
 
 }  // namespace foretrack

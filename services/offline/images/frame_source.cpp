@@ -2,13 +2,14 @@
 #include "services/offline/images/frame_source.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
+
+#include "services/common/time_now.hpp"
 
 namespace foretrack {
 namespace {
@@ -29,9 +30,9 @@ RgbImage rgb_of(const cv::Mat& bgr, const std::string& name) {
   return image;
 }
 
-class Pictures : public FrameSource {
+class PictureSource : public FrameSource {
  public:
-  explicit Pictures(std::vector<std::string> files) : files_(std::move(files)) {}
+  explicit PictureSource(std::vector<std::string> files) : files_(std::move(files)) {}
   std::optional<Frame> next() override {
     if (next_ == files_.size()) return std::nullopt;
     const std::string& file = files_[next_++];
@@ -44,9 +45,9 @@ class Pictures : public FrameSource {
   std::size_t next_ = 0;
 };
 
-class Video : public FrameSource {
+class VideoSource : public FrameSource {
  public:
-  explicit Video(const std::string& file) : file_(file) {
+  explicit VideoSource(const std::string& file) : file_(file) {
     if (!fs::exists(file)) throw std::runtime_error(file + ": no such file");
     if (!capture_.open(file)) throw std::runtime_error(file + ": not a video that can be read");
     rate_hz_ = capture_.get(cv::CAP_PROP_FPS);
@@ -72,9 +73,9 @@ class Video : public FrameSource {
   int read_ = 0;
 };
 
-class Camera : public FrameSource {
+class CameraSource : public FrameSource {
  public:
-  explicit Camera(const std::string& device) : device_(device) {
+  explicit CameraSource(const std::string& device) : device_(device) {
     const bool number =
         !device.empty() && device.size() < 4 &&
         std::all_of(device.begin(), device.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -89,8 +90,7 @@ class Camera : public FrameSource {
   std::optional<Frame> next() override {
     if (!capture_.read(frame_) || frame_.empty())
       throw std::runtime_error(device_ + ": the camera gives no images any more");
-    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - opened_;
-    return Frame{since.count(), "", rgb_of(frame_, device_)};
+    return Frame{steady_s() - opened_s_, "", rgb_of(frame_, device_)};
   }
   double rate_hz() const override { return capture_.get(cv::CAP_PROP_FPS); }
 
@@ -98,19 +98,19 @@ class Camera : public FrameSource {
   std::string device_;
   cv::VideoCapture capture_;
   cv::Mat frame_;
-  std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
+  double opened_s_ = steady_s();
 };
 
 }  // namespace
 
 std::unique_ptr<FrameSource> open_pictures(std::vector<std::string> files) {
-  return std::make_unique<Pictures>(std::move(files));
+  return std::make_unique<PictureSource>(std::move(files));
 }
 std::unique_ptr<FrameSource> open_video(const std::string& file) {
-  return std::make_unique<Video>(file);
+  return std::make_unique<VideoSource>(file);
 }
 std::unique_ptr<FrameSource> open_camera(const std::string& device) {
-  return std::make_unique<Camera>(device);
+  return std::make_unique<CameraSource>(device);
 }
 
 RgbImage load_picture(const std::string& file) {

@@ -18,9 +18,6 @@ const Fault kNoPose{"odometry", "no odometry of the image's stamp"};
 constexpr double kMapPeriod_s = 0.1;
 constexpr double kOthersPeriod_s = 1.0;
 constexpr double kWatchPeriod_s = 0.5;
-constexpr double kPoseWait_s = 0.05;
-constexpr double kBodiesStale_s = 0.6;
-constexpr double kImageStale_s = 1.0;
 constexpr double kJitter_s = 0.02;  // of the images: 10 Hz out of 15 Hz is every second one or so
 
 }  // namespace
@@ -77,8 +74,8 @@ void MappingService::update() {
   const bool covered = vehicle && vehicle->stamp_s >= depth_.stamp_s;
   if (!covered && service_.clock().now_s() - arrived_s_ < kPoseWait_s) return;
   waiting_ = false;
-  if (std::abs(depth_.stamp_s - bodies_.stamp_s) > kBodiesStale_s) bodies_.count = 0;
-  const auto result = update_map(state_, depth_, vehicle_.history(), bodies_.all(), params_);
+  const auto bodies = bodies_at(depth_.stamp_s, bodies_, params_);
+  const auto result = update_map(state_, depth_, vehicle_.history(), bodies, params_);
   if (result.status != MapStatus::kUpdated) return image_.refuse(kNoPose);
   to_idl(state_.movers, sightings_.sample());
   sightings_.write();
@@ -108,8 +105,8 @@ void MappingService::publish_for_others() {
 void MappingService::watch() {
   update();
   const double now_s = service_.clock().now_s();
-  const bool seeing = now_s - arrived_s_ < kImageStale_s;
-  const bool placed = vehicle_.age_s(now_s) < kImageStale_s;
+  const bool seeing = now_s - arrived_s_ < params_.image_stale_s;
+  const bool placed = vehicle_.age_s(now_s) < params_.vehicle_stale_s;
   const std::string blind = sight_.trouble("depth");
   service_.health().set_degraded(!seeing          ? "no depth images"
                                  : !camera_       ? "no camera_info"

@@ -19,9 +19,9 @@
 
 namespace foretrack {
 
-/// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and the octree and
-/// the occupied cells once a second to who asks for them; what moves at each image. The camera's
-/// mount is that of tf_static, or looks along body x.
+/// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and what moves at
+/// each image. The octree and the occupied cells are published once a second, while somebody asks
+/// for them. The camera's mount is that of tf_static, or looks along body x.
 class MappingService {
  public:
   MappingService(Service& service, const MappingParams& params);

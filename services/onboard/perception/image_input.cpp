@@ -14,9 +14,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kStale_s = 0.3;
 constexpr double kLoadAgain_s = 5.0;
-constexpr double kSameInstant_s = 0.025;  // colour and depth
 
 }  // namespace
 
@@ -50,7 +48,7 @@ void ImageInput::take_mount(const tf2_msgs::msg::TFMessage& message) {
 
 void ImageInput::take(const sensor_msgs::msg::Image& message) {
   const double stamp_s = seconds(message.header().stamp());
-  if (service_.clock().now_s() - stamp_s > kStale_s) return image_.reject("late");
+  if (service_.clock().now_s() - stamp_s > params_.image_stale_s) return image_.reject("late");
   sight_.look_at_color(message.data());
   if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
   if (!load_network()) return image_.reject("no pose network");
@@ -108,7 +106,7 @@ double ImageInput::torso_depth_m(const TargetObservation& observation) {
     return from_idl(message, *depth_camera_, std::move(depth_.depth_m));
   });
   if (depth) depth_ = std::move(*depth);
-  if (std::abs(depth_.stamp_s - observation.stamp_s) > kSameInstant_s) return kNone;
+  if (std::abs(depth_.stamp_s - observation.stamp_s) > params_.same_instant_s) return kNone;
   return torso_surface_depth_m(observation, depth_).value_or(kNone);
 }
 

@@ -19,7 +19,7 @@ namespace foretrack {
 
 /// The pose network is loaded when the first image comes. Without its files images are refused, and
 /// trouble() says how to get them; they are looked for again every few seconds. Only the newest
-/// image is looked at, and none that is older than kStale_s.
+/// image is looked at, and none that is older than the parameter image_stale_s.
 class ImageInput {
  public:
   /// What one image says; `observation` is none if nobody is in it.

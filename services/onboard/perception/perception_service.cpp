@@ -19,14 +19,9 @@ constexpr auto convert = [](auto&& message) {
 };
 
 constexpr double kCoastPeriod_s = 1.0 / 30.0;
-constexpr double kPoseWait_s = 0.05;  // odometry comes at 30 Hz or more
 constexpr std::size_t kMaxWaiting = 8;
-constexpr double kDrawPeriod_s = 0.1;
-constexpr double kVehicleStale_s = 0.5;
-constexpr double kRestart_s = 1.0;
 constexpr double kDoubt_s = 3.0;  // so long it is said
 constexpr char kAmbiguous[] = "several people could be the one who is followed; see the image";
-constexpr double kOwnImages_s = 1.0;  // while there are some, observations of others do not count
 
 }  // namespace
 
@@ -56,7 +51,7 @@ PerceptionService::PerceptionService(Service& service, const PerceptionParams& p
 
 void PerceptionService::take(const foretrack_msgs::msg::TargetObservation& message) {
   // Its own ones come back, too.
-  if (service_.clock().now_s() - looked_s_ < kOwnImages_s) return;
+  if (service_.clock().now_s() - looked_s_ < params_.own_images_s) return;
   if (sees_nobody(message)) return;
   const auto observation = from_idl(message);
   if (!observation) return observation_.refuse(observation.fault());
@@ -95,7 +90,7 @@ void PerceptionService::perceive_waiting() {
     if (!covered && now_s - arrived_s < kPoseWait_s) return;
     const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
     if (result.status == PerceptionStatus::kGated) ++gated_;
-    delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, kRestart_s);
+    delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, params_.delay_max_s);
     if (result.used_landmarks > 0)
       if (const auto look = look_of(observation, vehicle_.history(), params_))
         bodies_state_.followed_look = *look;
@@ -106,7 +101,7 @@ void PerceptionService::perceive_waiting() {
 void PerceptionService::coast_if_silent() {
   perceive_waiting();
   const double now_s = service_.clock().now_s();
-  const bool seeing = vehicle_.age_s(now_s) < kVehicleStale_s;
+  const bool seeing = vehicle_.age_s(now_s) < params_.vehicle_stale_s;
   const bool doubtful = std::abs(now_s - images_.ambiguous_s()) < kDoubt_s;
   const std::string blind = images_.sight().trouble("colour");
   service_.health().set_degraded(!seeing                      ? "no odometry"
@@ -154,9 +149,7 @@ void PerceptionService::publish_bodies(const TargetState& target) {
 }
 
 void PerceptionService::publish_markers(const TargetState& target) {
-  const double now_s = service_.clock().now_s();
-  if (markers_.readers() == 0 || std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
-  drawn_s_ = now_s;
+  if (markers_.readers() == 0 || !drawing_.is_due(service_.clock().now_s())) return;
   to_markers(target, markers_.sample());
   markers_.write();
 }

@@ -63,7 +63,7 @@ class PerceptionService {
   std::deque<Waiting> waiting_;  // for the odometry of their stamps
   double delay_s_ = 0.0;         // of the last observation
   double published_s_ = -1.0;    // stamp of the last usable state
-  double drawn_s_ = -1.0;
+  DrawingPace drawing_;
   double looked_s_ = -1e9;  // stamp of the last image that was looked at
   std::uint32_t gated_ = 0;
   ImageInput images_;

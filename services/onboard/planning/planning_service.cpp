@@ -24,7 +24,6 @@ constexpr auto convert = [](auto&& message) {
 };
 
 constexpr double kWatchPeriod_s = 0.01;
-constexpr double kDrawPeriod_s = 0.1;
 
 // Ids go on growing when the service is started anew.
 std::uint64_t first_id() {
@@ -124,9 +123,7 @@ void PlanningService::publish(const PlanResult& result) {
 }
 
 void PlanningService::draw(const PlannedTrajectory& plan) {
-  const double now_s = service_.clock().now_s();
-  if (std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
-  drawn_s_ = now_s;
+  if (!drawing_.is_due(service_.clock().now_s())) return;
   if (path_.readers() > 0) {
     to_path(plan, path_.sample());
     path_.write();

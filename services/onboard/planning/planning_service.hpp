@@ -53,7 +53,7 @@ class PlanningService {
   std::optional<MovingBodies> bodies_;
   bool flies_plans_ = true;  // until a gate says otherwise
   double planned_s_ = -1e9;
-  double drawn_s_ = -1e9;
+  DrawingPace drawing_;
 };
 
 /// Until the stop is requested.

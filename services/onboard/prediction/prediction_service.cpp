@@ -16,9 +16,7 @@ constexpr auto convert = [](auto&& message) {
   return from_idl(std::forward<decltype(message)>(message));
 };
 
-constexpr double kSilence_s = 0.5;
 constexpr double kDeclarePeriod_s = 0.2;
-constexpr double kDrawPeriod_s = 0.1;
 
 // Whoever starts prediction is to know that these are never expected.
 std::string names_of(const std::vector<std::string_view>& unfitted) {
@@ -64,7 +62,7 @@ void PredictionService::predict_from(const TargetState& target) {
 
 void PredictionService::declare_if_silent() {
   const double now_s = service_.clock().now_s();
-  const bool silent = std::abs(now_s - taken_s_) > kSilence_s;
+  const bool silent = std::abs(now_s - taken_s_) > params_.target_stale_s;
   service_.health().set_degraded(silent ? "no target state" : map_.empty() ? "no map" : "");
   if (!silent) return;
   TargetState none;
@@ -73,9 +71,7 @@ void PredictionService::declare_if_silent() {
 }
 
 void PredictionService::draw() {
-  const double now_s = service_.clock().now_s();
-  if (std::abs(now_s - drawn_s_) < kDrawPeriod_s) return;
-  drawn_s_ = now_s;
+  if (!drawing_.is_due(service_.clock().now_s())) return;
   const auto& [intention, prediction] = state_.result;
   if (path_.readers() > 0) {
     to_path(prediction, path_.sample());

@@ -13,8 +13,8 @@
 
 namespace foretrack {
 
-/// Publishes at each target state, stamped as it is. Without one for half a second it says so: a
-/// prediction without paths, five times a second.
+/// Publishes at each target state, stamped as it is. Without one for the parameter
+/// target_stale_s it says so: a prediction without paths, five times a second.
 class PredictionService {
  public:
   PredictionService(Service& service, const PredictionParams& params);
@@ -35,7 +35,7 @@ class PredictionService {
   Writer<topics::Markers> markers_;
   GridMap map_;
   double taken_s_ = -1e9;
-  double drawn_s_ = -1e9;
+  DrawingPace drawing_;
 };
 
 /// Until the stop is requested.

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bodies/params.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/param_rows.hpp"
 
-namespace foretrack {
-namespace {
+namespace foretrack::testing {
 
-TEST(BodyParams, EveryFieldHasOneRowAndAValidDefault) {
-  BodyParams params;
-  EXPECT_EQ(testing::first_hidden_byte(params), -1);
-  EXPECT_EQ(testing::repeated_name(rows(params)), "");
-  EXPECT_TRUE(faults_of(rows(params)).empty());
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Bodies, ParamRowsOf, BodyParams);
 
-}  // namespace
-}  // namespace foretrack
+}  // namespace foretrack::testing

@@ -12,6 +12,7 @@
 
 #include "core/common/random.hpp"
 #include "core/mapping/octree_cells.hpp"
+#include "tests/support/error_of.hpp"
 
 namespace foretrack {
 namespace {
@@ -48,12 +49,7 @@ struct TemporaryFile {
 };
 
 std::string error_of(const std::string& path) {
-  try {
-    read_octree(path);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return foretrack::error_of([&] { read_octree(path); });
 }
 
 TEST(OctreeIo, GridHasTheCellsOfTheOctree) {

@@ -9,14 +9,12 @@
 #include "tests/support/param_rows.hpp"
 
 namespace foretrack {
-namespace {
+namespace testing {
 
-TEST(MappingParams, EveryFieldHasOneRowAndAValidDefault) {
-  MappingParams params;
-  EXPECT_EQ(testing::first_hidden_byte(params), -1);
-  EXPECT_EQ(testing::repeated_name(rows(params)), "");
-  EXPECT_TRUE(faults_of(rows(params)).empty());
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Mapping, ParamRowsOf, MappingParams);
+
+}  // namespace testing
+namespace {
 
 TEST(MappingParams, BadOnesAreRefused) {
   MappingParams params;

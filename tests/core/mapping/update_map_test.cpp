@@ -303,5 +303,17 @@ TEST(UpdateMap, NamesEachReasonForRefusal) {
   EXPECT_EQ(update_map(m.state, image, m.history, {}, m.params).status, MapStatus::kInvalidImage);
 }
 
+TEST(BodiesAt, AreNoneWhenTheyAreStale) {
+  MappingParams params;
+  params.bodies_stale_s = 0.5;
+  MovingBodies bodies;
+  bodies.stamp_s = 10.0;
+  bodies.add({});
+  for (const double stamp_s : {9.6, 10.0, 10.4})
+    EXPECT_EQ(bodies_at(stamp_s, bodies, params).size(), 1u) << stamp_s;
+  for (const double stamp_s : {9.4, 10.6})
+    EXPECT_TRUE(bodies_at(stamp_s, bodies, params).empty()) << stamp_s;
+}
+
 }  // namespace
 }  // namespace foretrack

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/error_of.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -15,12 +17,7 @@ using testing::HasSubstr;
 
 std::string error_of(std::string_view text, TrackFormat format = TrackFormat::kFrameIdXy,
                      double rate_hz = 25.0) {
-  try {
-    parse_tracks(text, format, rate_hz, "walks.txt");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
+  return foretrack::error_of([&] { parse_tracks(text, format, rate_hz, "walks.txt"); });
 }
 
 TEST(ParseTracks, ReadsTimePositionAndPedestrian) {

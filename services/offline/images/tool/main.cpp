@@ -5,11 +5,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 
+#include "services/common/time_now.hpp"
 #include "services/files/models/pose_models.hpp"
 #include "services/offline/images/frame_sink.hpp"
 #include "services/offline/images/person_finder.hpp"
@@ -17,7 +17,6 @@
 namespace foretrack {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr double kProgress_s = 0.5;
 
 volatile std::sig_atomic_t stopped = 0;
@@ -34,10 +33,6 @@ struct PerceiveOptions {
   bool json = false;
   bool still() const { return !images.empty(); }
 };
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::unique_ptr<FrameSource> open_source(const PerceiveOptions& o) {
   const int sources = !o.images.empty() + !o.video.empty() + !o.camera.empty();
@@ -103,8 +98,8 @@ class Report {
 
  private:
   void progress() {
-    if (!isatty(STDERR_FILENO) || seconds_since(shown_) < kProgress_s) return;
-    shown_ = Clock::now();
+    if (!isatty(STDERR_FILENO) || steady_s() - shown_s_ < kProgress_s) return;
+    shown_s_ = steady_s();
     fmt::print(stderr, "\rframe {}{}, {:.0f} frames a second \r", frames_,
                count_ > 0 ? fmt::format(" of {}", count_) : "", frames_ / spent_s_);
     std::fflush(stderr);
@@ -113,7 +108,7 @@ class Report {
   const PerceiveOptions& options_;
   int count_, frames_ = 0, seen_ = 0;
   double spent_s_ = 0.0;  // on looking; not on reading and writing
-  Clock::time_point shown_ = Clock::now();
+  double shown_s_ = steady_s();
 };
 
 int perceive_with(const PerceiveOptions& o) {
@@ -131,9 +126,9 @@ int perceive_with(const PerceiveOptions& o) {
   while (!stopped) {
     auto frame = source->next();
     if (!frame || (o.for_s > 0.0 && frame->stamp_s > o.for_s)) break;
-    const auto start = Clock::now();
+    const double start_s = steady_s();
     const SeenFrame seen = o.still() ? finder.look(*frame) : finder.follow(*frame);
-    report.add(seen, seconds_since(start));
+    report.add(seen, steady_s() - start_s);
     if (!sink) continue;
     for (const auto& person : seen.people) draw_person(frame->image, person.pose, line_of(person));
     sink->write(frame->image);

@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "tests/support/error_of.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -17,12 +19,7 @@ FlightBounds load(const std::string& text) {
   return load_bounds(file);
 }
 std::string error_of(const std::string& text) {
-  try {
-    load(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
+  return foretrack::error_of([&] { load(text); });
 }
 
 TEST(LoadBounds, ReadsAFenceAndAltitudesAndEitherAlone) {

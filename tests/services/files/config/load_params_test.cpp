@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/error_of.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -19,12 +21,7 @@ TrackerParams load(const std::string& text) {
   return load_params(file.string());
 }
 std::string error_of(const std::string& text) {
-  try {
-    load(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
+  return foretrack::error_of([&] { load(text); });
 }
 
 TEST(LoadParams, KeepsTheDefaultsThatTheFileDoesNotName) {

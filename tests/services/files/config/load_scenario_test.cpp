@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/simulator/simulate.hpp"
+#include "tests/support/error_of.hpp"
 
 namespace foretrack {
 namespace {
@@ -31,12 +32,7 @@ class LoadScenario : public testing::Test {
     return load_scenario(write("case.yaml", text), overrides);
   }
   std::string error_of(const std::string& text) {
-    try {
-      load(text);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "no error";
+    return foretrack::error_of([&] { load(text); });
   }
 
   fs::path folder_;

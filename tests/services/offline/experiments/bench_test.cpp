@@ -9,6 +9,7 @@
 
 #include "services/files/config/load_params.hpp"
 #include "services/offline/flight/fly.hpp"
+#include "tests/support/error_of.hpp"
 
 namespace foretrack {
 namespace {
@@ -46,12 +47,7 @@ class Bench : public testing::Test {
 };
 
 std::string error_of(const BenchRequest& request) {
-  try {
-    list_jobs(request);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
+  return foretrack::error_of([&] { list_jobs(request); });
 }
 
 TEST_F(Bench, WritesCellsWithTheseFieldsAndNoOthers) {
