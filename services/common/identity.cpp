@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <openssl/pem.h>
+#include <openssl/pkcs7.h>
 #include <openssl/x509_vfy.h>
 #include <unistd.h>
 
@@ -60,7 +61,51 @@ std::string fault_of_dates(const X509& certificate, const fs::path& path) {
   return "";
 }
 
+using Input = std::unique_ptr<BIO, decltype(&BIO_free)>;
+
+// What the document says, if the authority signed it; else nothing.
+std::string signed_text(const fs::path& path, X509& authority) {
+  const Input file(BIO_new_file(path.c_str(), "r"), BIO_free);
+  BIO* content = nullptr;
+  const std::unique_ptr<PKCS7, decltype(&PKCS7_free)> document(
+      file ? SMIME_read_PKCS7(file.get(), &content) : nullptr, PKCS7_free);
+  const Input detached(content, BIO_free), out(BIO_new(BIO_s_mem()), BIO_free);
+  const std::unique_ptr<X509_STORE, decltype(&X509_STORE_free)> store(X509_STORE_new(),
+                                                                      X509_STORE_free);
+  X509_STORE_add_cert(store.get(), &authority);
+  if (!document || PKCS7_verify(document.get(), nullptr, store.get(), detached.get(), out.get(),
+                                PKCS7_TEXT) != 1)
+    return "";
+  char* text = nullptr;
+  const long size = BIO_get_mem_data(out.get(), &text);
+  return {text, static_cast<std::size_t>(size)};
+}
+
+// As permissions name it: CN=name,O=owner.
+std::string subject_of(const X509& certificate) {
+  const Input out(BIO_new(BIO_s_mem()), BIO_free);
+  X509_NAME_print_ex(out.get(), X509_get_subject_name(&certificate), 0, XN_FLAG_RFC2253);
+  char* text = nullptr;
+  const long size = BIO_get_mem_data(out.get(), &text);
+  return {text, static_cast<std::size_t>(size)};
+}
+
 }  // namespace
+
+std::string refusal_of_identity(const std::string& folder_name) {
+  const fs::path folder = folder_name;
+  const Certificate own = read_certificate(folder / kCertificate);
+  const Certificate authority = read_certificate(folder / "permissions_ca.cert.pem");
+  if (!own || !authority) return "permissions_ca.cert.pem or cert.pem is no certificate";
+  for (const char* name : {"governance.p7s", "permissions.p7s"})
+    if (signed_text(folder / name, *authority).empty())
+      return fmt::format("{} was not signed by permissions_ca.cert.pem", (folder / name).string());
+  const std::string subject = subject_of(*own);
+  if (signed_text(folder / "permissions.p7s", *authority).find(subject) == std::string::npos)
+    return fmt::format("{} has no grant for {}", (folder / "permissions.p7s").string(), subject);
+  return fmt::format("the permissions in {} are not for this domain, or not valid now",
+                     folder_name);
+}
 
 std::string fault_of_identity(const std::string& folder_name) {
   const fs::path folder = folder_name;

@@ -13,6 +13,10 @@ namespace foretrack {
 /// certificate's; empty: nothing that can be seen before DDS looks at it.
 std::string fault_of_identity(const std::string& folder);
 
+/// Why DDS may have refused it, after it did: it tells nobody. Signed by another authority, no
+/// grant for the certificate's subject, or whatever else there is.
+std::string refusal_of_identity(const std::string& folder);
+
 /// The properties of a participant that make it so.
 std::vector<std::pair<std::string, std::string>> identity_properties(const std::string& folder);
 

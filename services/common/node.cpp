@@ -14,6 +14,7 @@
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
 #include "services/common/dds_log.hpp"
+#include "services/common/identity.hpp"
 #include "services/common/participant.hpp"
 #include "services/common/ros_graph.hpp"
 
@@ -28,10 +29,12 @@ Pointer not_null(Pointer pointer, const std::string& what) {
   return pointer;
 }
 
-// With what DDS-Security said, which is all that it tells.
-std::string no_participant(int domain) {
-  std::string text = "DDS refuses to create a participant in domain " + std::to_string(domain);
-  const std::string why = security_complaint();
+// With what DDS-Security said, or what can be seen of the identity.
+std::string no_participant(const NodeOptions& options) {
+  const std::string text =
+      "DDS refuses to create a participant in domain " + std::to_string(options.domain_id);
+  std::string why = security_complaint();
+  if (why.empty() && !options.security.empty()) why = refusal_of_identity(options.security);
   return why.empty() ? text : text + ": " + why;
 }
 
@@ -57,7 +60,7 @@ Node::Node(const NodeOptions& options)
   security_complaint();  // what somebody else was told
   dds_->participant = factory->create_participant(options_.domain_id, setup.qos, &dds_->watch,
                                                   dds::StatusMask::none());
-  if (!dds_->participant) throw std::runtime_error(no_participant(options_.domain_id));
+  if (!dds_->participant) throw std::runtime_error(no_participant(options_));
   if (const char* unsecured = why_unsecured(); *unsecured)
     spdlog::warn("{}: {}", options_.service, unsecured);
   dds_->publisher =

@@ -57,6 +57,7 @@ class Victim {
     return how_.empty();
   }
   const std::string& how() const { return how_; }
+  pid_t pid() const { return pid_; }
   double memory_MB() const {
     std::ifstream file(fmt::format("/proc/{}/statm", pid_));
     double pages = 0.0, resident = 0.0;
@@ -180,6 +181,11 @@ class Attack {
     result_.ended = !victim_.lives();
     result_.how = victim_.how();
     if (result_.ended || !result_.hears) keep();
+    if (!result_.ended && !result_.hears && options_.hold_s > 0.0) {
+      fmt::print("process {} hears nobody\n", victim_.pid());
+      std::fflush(stdout);
+      std::this_thread::sleep_for(std::chrono::duration<double>(options_.hold_s));
+    }
   }
   void keep() const {
     if (options_.record.empty()) return;

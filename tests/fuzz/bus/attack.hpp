@@ -17,6 +17,7 @@ struct AttackOptions {
   bool filtered = true;              // else the victim reads whatever comes
   std::vector<std::string> program;  // that is attacked, but for its domain; empty: our own victim
   std::string keys;                  // of enclaves vehicle and operator; empty: without security
+  double hold_s = 0.0;               // a victim that hears nobody, for a debugger
   std::string record;                // folder for what was sent last, if the victim ends
 };
 

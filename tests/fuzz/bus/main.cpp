@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Of the first round")->capture_default_str();
   app.add_option("--record", options.record, "File for the last messages, if the victim ends");
   app.add_option("--program", options.program, "Attack this instead, with its arguments");
+  app.add_option("--hold", options.hold_s, "Keep a victim that hears nobody for so many seconds");
   app.add_flag("--known", known, "Send the one message that is known to kill");
   app.add_flag("--open", open, "Attack a participant without the filter");
   app.add_flag("--victim", victim, "Be attacked")->group("");

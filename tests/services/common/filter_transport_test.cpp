@@ -44,7 +44,8 @@ TEST(FilterTransport, ANodeLivesThroughTheMessageThatEndedEveryProcess) {
   message.resize(82);
   send_to_everybody(message);
   ASSERT_TRUE(eventually([&] { return node.wire().refused() > 0 && other.wire().refused() > 0; }));
-  EXPECT_NE(node.last_error().find("127.0.0.1"), std::string::npos) << node.last_error();
+  EXPECT_TRUE(eventually([&] { return node.last_error().find("127.0.0.1") != std::string::npos; }))
+      << node.last_error();
   Reader<topics::TargetState> reader(node);
   Writer<topics::TargetState> writer(other);
   EXPECT_TRUE(eventually([&] { return reader.writers() == 1; })) << "they still meet";
@@ -59,7 +60,7 @@ TEST(FilterTransport, NothingGoodIsRefusedAmongOurselves) {
   for (int i = 0; i < 50; ++i) writer.write();
   RawPeer stranger(kTopic, "any::Type_");  // with the library's own transports
   stranger.add_writer();
-  EXPECT_TRUE(eventually([&] { return node.endpoints().size() >= 3; }));
+  EXPECT_TRUE(eventually([&] { return node.endpoints().size() >= 2; }));
   EXPECT_GT(node.wire().accepted(), 0u);
   for (const Node* one : {&node, &other})
     for (const auto& [reason, count] : one->wire().refused_by_reason())

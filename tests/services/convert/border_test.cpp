@@ -56,7 +56,7 @@ std::vector<Seed> good_samples() {
   using namespace foretrack_msgs::msg;
   std::vector<Seed> seeds;
   foretrack::MovingBodies bodies;
-  bodies.bodies.resize(2);
+  bodies.count = 2;
   foretrack_msgs::msg::MovingBodies told;
   to_idl(bodies, {}, told);
   add(seeds, told);
