@@ -13,6 +13,8 @@
 #include <stdexcept>
 
 #include "services/common/interfaces.hpp"
+#include "services/common/time_now.hpp"
+#include "services/common/wire/heartbeat_watch.hpp"
 
 namespace foretrack {
 namespace {
@@ -44,11 +46,29 @@ class FilterTransport : public rtps::ChainingTransport {
     return below->send(bytes, size, begin, end, timeout);
   }
 
+  // A peer on this machine may name other addresses of it alone, which the library would not use if
+  // they are not among ours; over the loopback one it is there as well.
+  bool transform_remote_locator(const Locator_t& remote, Locator_t& result) const override {
+    constexpr char kLoopbackAddress[] = "127.0.0.1";
+    if (remote.kind == LOCATOR_KIND_UDPv4 && kind() == LOCATOR_KIND_UDPv4 &&
+        low_level_transport_->is_local_locator(remote)) {
+      Locator_t loopback = remote;
+      IPLocator::setIPv4(loopback, kLoopbackAddress);
+      if (low_level_transport_->is_locator_allowed(loopback)) {
+        result = loopback;
+        return true;
+      }
+    }
+    return low_level_transport_->transform_remote_locator(remote, result);
+  }
+
   void receive(rtps::TransportReceiverInterface* above, const std::uint8_t* bytes,
                std::uint32_t size, const Locator_t& local, const Locator_t& remote) override {
     if (is_outsider(remote)) return entrance_.filter->refuse_outsider();
     const auto [fault, message] = entrance_.filter->judge({bytes, size});
     if (fault != wire::Fault::kNone) return entrance_.filter->refuse(fault, name_of(remote));
+    if (!heartbeats_.accepts(message, steady_s()))
+      return entrance_.filter->refuse(wire::Fault::kSequence, name_of(remote));
     above->OnDataReceived(message.data(), static_cast<std::uint32_t>(message.size()), local,
                           remote);
   }
@@ -62,6 +82,7 @@ class FilterTransport : public rtps::ChainingTransport {
   }
 
   Entrance entrance_;
+  wire::HeartbeatWatch heartbeats_;
 };
 
 /// Stays what it is, as the library looks for shared memory by its type; but what it makes is
