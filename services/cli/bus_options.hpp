@@ -5,10 +5,11 @@
 #include <CLI/CLI.hpp>
 
 #include "services/common/node.hpp"
+#include "services/common/options.hpp"
 
 namespace foretrack {
 
-/// --vehicle and --domain (default $ROS_DOMAIN_ID), PX4's namespace.
+/// --vehicle, --interface, --security and --domain (default $ROS_DOMAIN_ID), PX4's namespace.
 inline void add_bus_options(CLI::App& app, NodeOptions& options) {
   app.add_option("--vehicle", options.names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
       ->capture_default_str();
@@ -16,6 +17,7 @@ inline void add_bus_options(CLI::App& app, NodeOptions& options) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
+  add_network_options(app, options.interface, options.security);
   app.add_option("--px4-namespace", options.names.px4_namespace, "px4_<n> if PX4 has a namespace");
 }
 

@@ -64,10 +64,14 @@ void add_station(DemoOptions& options) {
                    "--enable-control", "--token-file", tokens.string(), "--audit-file",
                    (options.folder / "station-audit.jsonl").string(), "--recordings",
                    (options.folder / "recordings").string()}};
-  const auto& params = options.spec.params_file;
-  if (!params.empty())
-    for (const auto& word : {std::string("--params"), params})
+  const auto pass_on = [&options](const char* option, const std::string& value) {
+    if (value.empty()) return;
+    for (const auto& word : {std::string(option), value})
       options.station->arguments.push_back(word);
+  };
+  pass_on("--params", options.spec.params_file);
+  pass_on("--interface", options.spec.interface);
+  pass_on("--security", options.spec.security);
 }
 
 int run(DemoArguments arguments) {
@@ -131,6 +135,7 @@ std::function<int()> prepare_demo(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--params", options.spec.params_file, "Parameter file (YAML)")
       ->check(CLI::ExistingFile);
+  add_network_options(app, options.spec.interface, options.spec.security);
   app.add_option("--domain", domain, "DDS domain; default: a free one")->check(CLI::Range(0, 232));
   return [arguments] { return run(*arguments); };
 }

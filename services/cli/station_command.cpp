@@ -58,6 +58,7 @@ void add_domain(CLI::App& app, StationArguments& arguments) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
+  add_network_options(app, arguments.options.node.interface, arguments.options.node.security);
 }
 
 void add_server_options(CLI::App& app, StationArguments& arguments) {

@@ -31,6 +31,8 @@ NodeOptions node_options(const FlightSpec& spec) {
   options.service = "up";
   options.names.vehicle = spec.vehicle;
   options.domain_id = spec.domain;
+  options.interface = spec.interface;
+  options.security = spec.security;
   return options;
 }
 
@@ -72,6 +74,7 @@ std::function<int()> prepare_up(CLI::App& app) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
+  add_network_options(app, spec.interface, spec.security);
   app.add_option("--speed", spec.speed, "Simulated seconds in a second")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();

@@ -6,6 +6,7 @@
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
+#include "services/common/dds_log.hpp"
 
 namespace foretrack {
 
@@ -61,6 +62,13 @@ std::string policy_name(dds::QosPolicyId_t id) {
                            "' for topic " + std::string(info.name));
 }
 
+// Security refuses a writer or reader that the identity's permissions do not allow.
+[[noreturn]] void refused(const EndpointStats& stats) {
+  const std::string why = security_complaint();
+  throw std::runtime_error(std::string("DDS refuses to ") + (stats.writes ? "write " : "read ") +
+                           stats.topic + (why.empty() ? "" : ": " + why));
+}
+
 }  // namespace
 
 WriterCore::WriterCore(Node& node, const TopicInfo& info, const TypeOps& ops)
@@ -79,7 +87,7 @@ WriterCore::WriterCore(Node& node, const TopicInfo& info, const TypeOps& ops)
                     << dds::StatusMask::offered_incompatible_qos();
   dds->writer =
       of_node.publisher->create_datawriter(of_node.topic(stats.topic, ops), qos, dds.get(), mask);
-  if (!dds->writer) no_profile(info);
+  if (!dds->writer) refused(stats);
 }
 
 WriterCore::~WriterCore() = default;
@@ -107,7 +115,7 @@ ReaderCore::ReaderCore(Node& node, const TopicInfo& info, const TypeOps& ops)
                     << dds::StatusMask::sample_lost();
   dds->reader =
       of_node.subscriber->create_datareader(of_node.topic(stats.topic, ops), qos, dds.get(), mask);
-  if (!dds->reader) no_profile(info);
+  if (!dds->reader) refused(stats);
   dds->reader->get_statuscondition().set_enabled_statuses(dds::StatusMask::data_available());
 }
 

@@ -23,6 +23,20 @@ diagnostic_msgs::msg::KeyValue row(const std::string& key, const std::string& va
   return result;
 }
 
+// What was not even read, as if it were a topic: it has reasons and counts as those have.
+TopicCount refusals_of(const WireFilter& wire) {
+  TopicCount result;
+  result.topic(std::string(kWireTopic));
+  result.samples(wire.accepted());
+  result.age_s(-1.0);
+  for (const auto& [reason, messages] : wire.refused_by_reason()) {
+    result.rejected().emplace_back();
+    result.rejected().back().reason(reason);
+    result.rejected().back().samples(messages);
+  }
+  return result;
+}
+
 }  // namespace
 
 Health::Health(Node& node)
@@ -79,6 +93,8 @@ void Health::fill(LoopStats loop, bool stopping, double elapsed_s) {
   };
   for (const auto& writer : node_.writers()) add(writer->stats);
   for (const auto& reader : node_.readers()) add(reader->stats);
+  if (const auto& wire = node_.wire(); wire.refused() > 0 && m.topics().size() < kMaxTopics)
+    m.topics().push_back(refusals_of(wire));
 }
 
 void Health::publish(LoopStats loop, bool stopping) {

@@ -2,6 +2,7 @@
 // ServiceHealth once a second, and the same as a ROS 2 diagnostic.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "diagnostic_msgs/msg/DiagnosticArray.h"
@@ -12,6 +13,9 @@
 #include "services/common/writer.hpp"
 
 namespace foretrack {
+
+/// Under which ServiceHealth tells of messages that were refused before they were read.
+inline constexpr std::string_view kWireTopic = "the network";
 
 class Health {
  public:

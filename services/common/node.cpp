@@ -13,8 +13,10 @@
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
+#include "services/common/dds_log.hpp"
+#include "services/common/identity.hpp"
+#include "services/common/participant.hpp"
 #include "services/common/ros_graph.hpp"
-#include "services/files/share/share.hpp"
 
 namespace foretrack {
 namespace {
@@ -27,38 +29,13 @@ Pointer not_null(Pointer pointer, const std::string& what) {
   return pointer;
 }
 
-// Once a process: the middleware keeps the profiles of all its participants in one place.
-void load_qos_profiles() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    const std::string path = find_share("qos/profiles.xml");
-    auto* factory = dds::DomainParticipantFactory::get_instance();
-    if (factory->load_XML_profiles_file(path) != ReturnCode_t::RETCODE_OK)
-      throw std::runtime_error("QoS profiles " + path + " cannot be read");
-  });
-}
-
-// The profile's property foretrack.map_bytes_per_10ms, so that maps leave room on a radio link.
-void add_map_limit(dds::DomainParticipantQos& qos) {
-  using eprosima::fastrtps::rtps::PropertyPolicyHelper;
-  const auto* text =
-      PropertyPolicyHelper::find_property(qos.properties(), "foretrack.map_bytes_per_10ms");
-  auto limit = std::make_shared<eprosima::fastdds::rtps::FlowControllerDescriptor>();
-  limit->name = kMapFlow;
-  limit->max_bytes_per_period = text ? std::stoi(*text) : 0;  // 0: no limit
-  limit->period_ms = 10;
-  qos.flow_controllers().push_back(limit);
-}
-
-dds::DomainParticipantQos participant_qos(const NodeOptions& options) {
-  load_qos_profiles();
-  dds::DomainParticipantQos qos;
-  auto* factory = dds::DomainParticipantFactory::get_instance();
-  if (factory->get_participant_qos_from_profile("foretrack", qos) != ReturnCode_t::RETCODE_OK)
-    throw std::runtime_error("qos/profiles.xml has no participant profile 'foretrack'");
-  add_map_limit(qos);
-  qos.name((options.names.vehicle + '/' + options.service).c_str());
-  return qos;
+// With what DDS-Security said, or what can be seen of the identity.
+std::string no_participant(const NodeOptions& options) {
+  const std::string text =
+      "DDS refuses to create a participant in domain " + std::to_string(options.domain_id);
+  std::string why = security_complaint();
+  if (why.empty() && !options.security.empty()) why = refusal_of_identity(options.security);
+  return why.empty() ? text : text + ": " + why;
 }
 
 void take_down(Node::Dds& node) {
@@ -71,18 +48,33 @@ void take_down(Node::Dds& node) {
 
 }  // namespace
 
-Node::Node(const NodeOptions& options) : options_(options), dds_(std::make_unique<Dds>(*this)) {
+Node::Node(const NodeOptions& options)
+    : options_(options),
+      dds_(std::make_unique<Dds>(*this)),
+      wire_(std::make_shared<WireFilter>([this](const std::string& text) { report(text); })) {
   validate_or_throw(options_.names);
   auto* factory = dds::DomainParticipantFactory::get_instance();
-  dds_->participant =
-      not_null(factory->create_participant(options_.domain_id, participant_qos(options_),
-                                           &dds_->watch, dds::StatusMask::none()),
-               "a participant in domain " + std::to_string(options_.domain_id));
+  const auto setup = set_up_participant(options_, wire_);
+  this_machine_only_ = setup.this_machine_only;
+  secured_ = setup.secured;
+  security_complaint();  // what somebody else was told
+  dds_->participant = factory->create_participant(options_.domain_id, setup.qos, &dds_->watch,
+                                                  dds::StatusMask::none());
+  if (!dds_->participant) throw std::runtime_error(no_participant(options_));
+  if (const char* unsecured = why_unsecured(); *unsecured)
+    spdlog::warn("{}: {}", options_.service, unsecured);
   dds_->publisher =
       not_null(dds_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
   dds_->subscriber =
       not_null(dds_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "a subscriber");
   clock_ = std::make_unique<Clock>(*this, options_.use_sim_time);
+}
+
+const char* Node::why_unsecured() const {
+  return this_machine_only_ || secured_
+             ? ""
+             : "DDS reaches other machines and is not secured: whoever is on their network can "
+               "order, and be taken for a sensor";
 }
 
 Node::~Node() {

@@ -12,6 +12,7 @@
 #include "services/common/endpoint.hpp"
 #include "services/common/names.hpp"
 #include "services/common/peer.hpp"
+#include "services/common/wire_filter.hpp"
 
 namespace foretrack {
 
@@ -36,6 +37,11 @@ struct NodeOptions {
   int domain_id = 0;
   bool use_sim_time = false;
   RosDistribution ros = RosDistribution::kHumble;
+  /// The network interface's name, an address of it, or "any"; empty: the loopback one, unless the
+  /// profile names others (its transports' interfaceWhiteList).
+  std::string interface;
+  /// Folder of an identity of DDS-Security, as SROS2 lays it out; empty: what the profile says.
+  std::string security;
 };
 
 /// Not thread-safe but for report(): one service, one thread. Writers and readers are its own, and
@@ -67,6 +73,15 @@ class Node {
   std::vector<ForeignEndpoint> endpoints() const;
   /// Grows whenever endpoints() changes.
   std::uint64_t discoveries() const;
+  /// Messages that were not read as they should be, and how many were.
+  const WireFilter& wire() const { return *wire_; }
+  /// Which interfaces DDS uses. This machine's own: nobody else is heard.
+  bool this_machine_only() const { return this_machine_only_; }
+  /// By DDS-Security, as the profile has it.
+  bool secured() const { return secured_; }
+  /// A sentence for people if others than this machine's can take part, and nothing tells who is
+  /// who; else empty.
+  const char* why_unsecured() const;
   /// The other participants that discovery holds for alive.
   std::vector<Peer> peers() const;
   /// After so long without a word of ours, others drop us.
@@ -78,6 +93,8 @@ class Node {
  private:
   NodeOptions options_;
   std::unique_ptr<Dds> dds_;
+  std::shared_ptr<WireFilter> wire_;
+  bool this_machine_only_ = false, secured_ = false;
   std::vector<std::unique_ptr<WriterCore>> writers_;
   std::vector<std::unique_ptr<ReaderCore>> readers_;
   std::unique_ptr<Clock> clock_;

@@ -6,12 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <fastdds/dds/log/Log.hpp>
+
+#include "services/common/dds_log.hpp"
 
 namespace foretrack {
 namespace {
-
-namespace dds = eprosima::fastdds::dds;
 
 constexpr int kHighestDomain = 232;  // the ports of higher ones do not exist
 
@@ -26,16 +25,18 @@ std::string default_state_folder() {
   return "/var/lib/foretrack";
 }
 
-struct LogOfDds : dds::LogConsumer {
-  void Consume(const dds::Log::Entry& entry) override {
-    const auto level =
-        entry.kind == dds::Log::Kind::Error ? spdlog::level::warn : spdlog::level::debug;
-    spdlog::log(level, "DDS {}: {}", entry.context.category ? entry.context.category : "",
-                entry.message);
-  }
-};
-
 }  // namespace
+
+void add_network_options(CLI::App& app, std::string& interface, std::string& security) {
+  app.add_option(
+         "--interface", interface,
+         "Network interface that DDS uses: a name, an address, or any. Without it only this "
+         "machine is heard, unless qos/profiles.xml names interfaces")
+      ->envname("FORETRACK_INTERFACE");
+  app.add_option("--security", security,
+                 "Folder of this process' identity (DDS-Security; an enclave as SROS2 makes it)")
+      ->envname("FORETRACK_SECURITY");
+}
 
 void add_options(CLI::App& app, ServiceOptions& options) {
   auto& names = options.names;
@@ -45,6 +46,7 @@ void add_options(CLI::App& app, ServiceOptions& options) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, kHighestDomain))
       ->capture_default_str();
+  add_network_options(app, options.interface, options.security);
   app.add_option("--params", options.params_file, "Parameter file (YAML)")
       ->check(CLI::ExistingFile);
   app.add_flag("--print-params", options.print_params, "Print all parameters and leave");
@@ -87,6 +89,8 @@ std::vector<std::string> arguments_of(const ServiceOptions& o) {
   const auto add = [&words](bool wanted, std::vector<std::string> more) {
     if (wanted) words.insert(words.end(), more.begin(), more.end());
   };
+  add(!o.interface.empty(), {"--interface", o.interface});
+  add(!o.security.empty(), {"--security", o.security});
   add(!o.params_file.empty(), {"--params", o.params_file});
   add(!o.names.px4_namespace.empty(), {"--px4-namespace", o.names.px4_namespace});
   add(o.use_sim_time, {"--use-sim-time"});
@@ -102,8 +106,7 @@ void set_up_logging(const std::string& level) {
   logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(logger);
-  dds::Log::ClearConsumers();
-  dds::Log::RegisterConsumer(std::make_unique<LogOfDds>());
+  log_dds();
 }
 
 }  // namespace foretrack

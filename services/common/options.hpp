@@ -22,15 +22,22 @@ struct ServiceOptions {
   bool ros_iron_or_later = false;
   bool px4_odometry = false;  // PX4's own estimate is the vehicle's odometry
   bool dry_run = false;       // nothing is sent to the flight controller
+  std::string interface;      // of the network; empty: see NodeOptions
+  std::string security;       // folder of the identity; empty: see NodeOptions
   std::string state_folder;   // where the gate remembers its mission; empty: nowhere
   std::string log_level = "info";
 };
 
-/// --vehicle --domain --params --print-params --use-sim-time --clock-topic --px4-namespace
+/// --vehicle --domain --interface --security --params --print-params --use-sim-time --clock-topic
+/// --px4-namespace
 /// --px4-status-version --ros-iron --px4-odometry --dry-run --state-dir
 /// --log-level. The domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as
 /// systemd sets it), $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
+
+/// --interface (default $FORETRACK_INTERFACE) and --security (default $FORETRACK_SECURITY): which
+/// network interface DDS uses, and as whom.
+void add_network_options(CLI::App& app, std::string& interface, std::string& security);
 
 /// The words that make the same options of another process.
 std::vector<std::string> arguments_of(const ServiceOptions& options);

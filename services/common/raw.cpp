@@ -9,6 +9,7 @@
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
+#include "services/common/dds_log.hpp"
 #include "services/common/raw_type.hpp"
 
 namespace foretrack {
@@ -26,7 +27,9 @@ struct QuietWriter : dds::DataWriterListener {
 };
 
 [[noreturn]] void refused(const RawTopic& topic, const std::string& what) {
-  throw std::runtime_error("DDS refuses " + what + " " + topic.name + " of type " + topic.type);
+  const std::string why = security_complaint();
+  throw std::runtime_error("DDS refuses " + what + " " + topic.name + " of type " + topic.type +
+                           (why.empty() ? "" : ": " + why));
 }
 
 // A topic that another type had, and that nobody uses any more, makes room.

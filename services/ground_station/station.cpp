@@ -41,6 +41,8 @@ class Station {
   Station(const StationOptions& options, Stop& stop);
   void run();
   std::string url() const;
+  /// Whom it hears, in a sentence; empty: a recording.
+  std::string hears() const { return hears_; }
 
  private:
   Outlet outlet();
@@ -61,6 +63,7 @@ class Station {
   Server server_;
   Recorder recorder_;
   Bus* bus_ = nullptr;  // none: a recording is replayed
+  std::string hears_;
   std::unique_ptr<Source> source_;
   std::unique_ptr<Commander> commander_;
   std::unique_ptr<Api> api_;
@@ -80,6 +83,8 @@ Station::Station(const StationOptions& options, Stop& stop)
     source_ = std::make_unique<Replay>(*options_.replay, outlet());
   } else {
     const auto node = std::make_shared<Node>(options_.node);
+    hears_ = node->this_machine_only() ? "only this machine is heard; --interface NAME hears others"
+                                       : node->why_unsecured();
     auto bus = std::make_unique<Bus>(node, outlet());
     bus_ = bus.get();
     source_ = std::move(bus);
@@ -180,6 +185,7 @@ Status Station::status() {
   status.server = {kVersion, now_s - started_s_, options_.enable_control && commander_, true};
   status.vehicles = source_->vehicles();
   status.topics = source_->topics();
+  status.warnings = source_->warnings();
   if (commander_) status.missions = commander_->missions(now_s);
   status.recording = recorder_.status();
   status.recording_fault = recorder_.fault();
@@ -259,6 +265,7 @@ void run_station(const StationOptions& options, Stop& stop) {
   mallopt(M_ARENA_MAX, 2);  // images go from thread to thread: more would keep more of them
   Station station(options, stop);
   std::printf("station: %s\n", station.url().c_str());
+  if (const auto hears = station.hears(); !hears.empty()) std::printf("%s\n", hears.c_str());
   if (!options.print_token) std::printf("operators' tokens: %s\n", options.token_file.c_str());
   std::fflush(stdout);
   station.run();

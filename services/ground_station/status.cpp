@@ -13,6 +13,7 @@ constexpr char kSchema[] = R"({"type": "object", "properties": {
   "vehicles": {"type": "array", "items": {"type": "object"}},
   "recording": {"type": ["object", "null"]},
   "recording_fault": {"type": ["string", "null"]},
+  "warnings": {"type": "array", "items": {"type": "string"}},
   "topics": {"type": "array", "items": {"type": "object"}},
   "clients": {"type": "array", "items": {"type": "object"}}}})";
 
@@ -54,11 +55,13 @@ Json unconfirmed_of(const MissionStatus* m) {
 }
 
 Json json_of(const VehicleReport& v, const MissionStatus* mission) {
-  return {{"name", v.name},
-          {"seen_s_ago", v.seen_s_ago < 0.0 ? Json() : Json(v.seen_s_ago)},
-          {"lease", lease_of(mission)},
-          {"last_command", command_of(mission)},
-          {"unconfirmed", unconfirmed_of(mission)}};
+  return {
+      {"name", v.name},
+      {"seen_s_ago", v.seen_s_ago < 0.0 ? Json() : Json(v.seen_s_ago)},
+      {"lease", lease_of(mission)},
+      {"last_command", command_of(mission)},
+      {"unconfirmed", unconfirmed_of(mission)},
+      {"orders_refused", mission && !mission->refused.empty() ? Json(mission->refused) : Json()}};
 }
 
 Json json_of(const ClientReport& c) {
@@ -93,6 +96,7 @@ std::string to_json_text(const Status& s) {
   }
   json["recording"] = json_of(s.recording);
   json["recording_fault"] = s.recording_fault.empty() ? Json() : Json(s.recording_fault);
+  json["warnings"] = s.warnings;
   json["topics"] = Json::array();
   for (const auto& t : s.topics)
     json["topics"].push_back(json_of(t, s.limited.contains(t.channel)));

@@ -40,6 +40,7 @@ struct MissionStatus {
   std::uint64_t command_id = 0;  // 0: there was none
   std::string command, operator_name, result, reason;
   std::optional<Unconfirmed> unconfirmed;
+  std::string refused;  // why the station cannot write orders to it; empty: it can, or need not
 };
 
 struct Status {
@@ -47,7 +48,8 @@ struct Status {
   std::vector<VehicleReport> vehicles;
   std::map<std::string, MissionStatus> missions;  // by vehicle
   std::optional<RecordingStatus> recording;
-  std::string recording_fault;  // why the last one ended by itself; empty: it did not
+  std::string recording_fault;        // why the last one ended by itself; empty: it did not
+  std::vector<std::string> warnings;  // of the bus
   std::vector<TopicReport> topics;
   std::set<std::uint32_t> limited;  // channels
   std::vector<ClientReport> clients;

@@ -11,9 +11,15 @@ namespace foretrack {
 namespace {
 
 ProcessSpec process(const std::string& name, const FlightSpec& spec) {
-  return {
+  ProcessSpec result{
       name,
       {name, "--vehicle", spec.vehicle, "--domain", std::to_string(spec.domain), "--use-sim-time"}};
+  const auto pass_on = [&result](const char* option, const std::string& value) {
+    if (!value.empty()) result.arguments.insert(result.arguments.end(), {option, value});
+  };
+  pass_on("--interface", spec.interface);
+  pass_on("--security", spec.security);
+  return result;
 }
 
 }  // namespace

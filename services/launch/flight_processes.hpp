@@ -23,6 +23,8 @@ struct FlightSpec {
   bool camera = false;                // rendered images instead of landmarks
   std::string vehicle = "uav1";
   int domain = 0;
+  std::string interface;     // of the network; empty: this machine alone
+  std::string security;      // folder of the identity that all of them have; empty: none
   std::string params_file;   // of the stages; empty: defaults
   std::string state_folder;  // of the gate; what a former flight left there is removed
 };

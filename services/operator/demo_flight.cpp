@@ -33,6 +33,8 @@ NodeOptions node_options(const FlightSpec& spec) {
   options.service = "demo";
   options.names.vehicle = spec.vehicle;
   options.domain_id = spec.domain;
+  options.interface = spec.interface;
+  options.security = spec.security;
   return options;
 }
 

@@ -232,7 +232,10 @@ std::vector<Finding> diagnose(const FlightSnapshot& p) {
         "set-up",
         fmt::format("No process of vehicle '{}' is heard on DDS domain {}.", p.vehicle, p.domain),
         p.other_vehicles.empty()
-            ? "Is `foretrack up` running, with the same --domain, on this network?"
+            ? (p.this_machine_only
+                   ? "Is `foretrack up` running, with the same --domain? Only this machine is "
+                     "heard; --interface NAME, on both sides, hears others."
+                   : "Is `foretrack up` running, with the same --domain, on this network?")
             : fmt::format("Others are there: {}. Name one with --vehicle.",
                           fmt::join(p.other_vehicles, ", ")))};
   std::vector<Finding> findings;
@@ -240,6 +243,11 @@ std::vector<Finding> diagnose(const FlightSnapshot& p) {
     findings.push_back(
         note("set-up", fmt::format("Simulated time runs at {:.2f} of real time.", p.time_rate),
              "This machine is too busy to fly in real time, unless --speed asked for it."));
+  if (p.this_machine_only)
+    findings.push_back(note("set-up", "Only this machine is heard and hears us.",
+                            "Others: --interface NAME, ADDRESS or any, on both sides."));
+  if (!p.unsecured.empty())
+    findings.push_back(note("set-up", p.unsecured + '.', "SECURITY.md says what helps."));
   for (const auto& service : p.services) check_service(service, findings);
   const auto* map = p.flow("map/local");
   const bool map_comes = map && map->samples > 0 && (p.map_is_static || map->age_s < 2.0);

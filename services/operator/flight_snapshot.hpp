@@ -42,8 +42,10 @@ struct ServiceReport {
 struct FlightSnapshot {
   std::string vehicle;
   int domain = 0;
-  double now_s = 0.0;       // simulated, if there is such a clock
-  double time_rate = -1.0;  // simulated seconds in a second; negative: real time
+  bool this_machine_only = false;  // no other one can be heard
+  std::string unsecured;           // why anybody can take part; empty: not so
+  double now_s = 0.0;              // simulated, if there is such a clock
+  double time_rate = -1.0;         // simulated seconds in a second; negative: real time
   const nav_msgs::msg::Odometry* odometry = nullptr;
   const nav_msgs::msg::Odometry* vehicle_truth = nullptr;
   const nav_msgs::msg::Odometry* target_truth = nullptr;

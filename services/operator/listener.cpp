@@ -115,6 +115,8 @@ FlightSnapshot Listener::snapshot() {
   FlightSnapshot p;
   p.vehicle = node_.options().names.vehicle;
   p.domain = node_.options().domain_id;
+  p.this_machine_only = node_.this_machine_only();
+  p.unsecured = node_.why_unsecured();
   p.now_s = simulated_s_ >= 0.0 ? simulated_s_ : node_.clock().now_s();
   p.time_rate = time_rate_;
   p.map_is_static = map_is_static_;

@@ -194,7 +194,11 @@ class Secrecy : public ::testing::Test {
   Program recorder_{{"record", "--domain", id_, "--recordings", (folder_.path / "seen").string()},
                     folder_.path / "record.out"};
   Station station_{{"station", "--domain", id_, "--enable-control"}, folder_.path};
-  Node node_{{.service = "listener", .names = {}, .domain_id = domain_.id()}};
+  Node node_{{.service = "listener",
+              .names = {},
+              .domain_id = domain_.id(),
+              .interface = {},
+              .security = {}}};
   Reader<topics::MissionCommand> reader_{node_};
   std::string lease_;
 };

@@ -49,6 +49,7 @@ class Network {
 };
 
 constexpr int kVehicle = 0, kGate = 1;  // the hosts
+constexpr char kAddressOfGate[] = "198.18.78.2";
 
 class TwoHosts : public ::testing::Test {
  protected:
@@ -68,6 +69,8 @@ class TwoHosts : public ::testing::Test {
   std::unique_ptr<Program> run(int host, std::vector<std::string> words,
                                const std::filesystem::path& out) const {
     words.insert(words.end(), {"--domain", std::to_string(domain_.id())});
+    // The one by its address, the other whatever it has.
+    words.insert(words.end(), {"--interface", host == kGate ? kAddressOfGate : "any"});
     return std::make_unique<Program>(network_.on(host, std::move(words)), out, "/usr/bin/env");
   }
   /// What is seen from there.
@@ -110,6 +113,23 @@ TEST_F(TwoHosts, AVehicleFollowsAndObeysWhereAThirdOfAllPacketsIsLost) {
   EXPECT_TRUE(eventually([&] { return order("hold"); }, 60.0));
   EXPECT_TRUE(reaches("hover"));
   EXPECT_TRUE(flies_on_order());
+}
+
+TEST_F(TwoHosts, WithoutTheOptionNobodyElseIsHeardAndTheDoctorSaysWhatHelps) {
+  Program doctor(network_.on(kGate, {"doctor", "--domain", std::to_string(domain_.id())}),
+                 folder_.path / "doctor", "/usr/bin/env");
+  EXPECT_EQ(doctor.wait(30.0), 1) << doctor.output();
+  EXPECT_NE(doctor.output().find("Only this machine is heard"), std::string::npos)
+      << doctor.output();
+  EXPECT_NE(doctor.output().find("--interface"), std::string::npos) << doctor.output();
+  // The vehicle's host flies; the gate's own process is all that is heard here.
+  Program here(network_.on(kGate, {"monitor", "--json", "--for", "3", "--domain",
+                                   std::to_string(domain_.id())}),
+               folder_.path / "here", "/usr/bin/env");
+  here.wait(30.0);
+  const Json seen = last_json(here.output());
+  EXPECT_EQ(mode_in(seen), "track") << "the gate stands on this host " << seen;
+  EXPECT_LT(seen.value("distance_m", -1.0), 0.0) << "heard of the other host: " << seen;
 }
 
 TEST_F(TwoHosts, ACutNetworkStopsTheVehicleAndNothingIsResumedWhenItIsMended) {

@@ -8,6 +8,7 @@
     check_tree.py licences   every source says its licence first
     check_tree.py documents  every file that the documents name exists
     check_tree.py promises   every row of the table in docs/safety.md names tests, and they exist
+    check_tree.py units      every service has a systemd unit that starts it again, with few rights
     check_tree.py lengths    functions: 95 of 100 have at most 25 lines, none more than 90
 
 Exit code 0: kept; 1: broken, with a line for each fault; 77: a tool is missing.
@@ -41,6 +42,13 @@ TESTLESS = re.compile(r"core/prediction/(intentions/)?\w+_weights\.cpp|core/plan
 
 # Of two classes that hide the middleware behind them.
 HIDDEN = {"services/common/dds_impl.hpp"}
+
+# What runs for long on a vehicle or beside it, and what its unit says: started again at once, for ever,
+# as nobody, within bounds.
+SERVED = ("safety_gate", "stages", "station")
+UNIT_SAYS = ("Restart=always", "RestartSec=0", "StartLimitIntervalSec=0", "DynamicUser=yes",
+             "NoNewPrivileges=yes", "ProtectSystem=strict", "MemoryMax=", "SystemCallFilter=")
+MOST_EXPOSED = "2.0"  # of systemd-analyze security; 10 is worst
 
 MADE = {"core/version.hpp"}  # by the build
 
@@ -179,6 +187,29 @@ def promises():
                 yield f"docs/safety.md: there is no test {name}"
 
 
+def units():
+    text = {path.name: path.read_text() for path in sorted(ROOT.glob("deploy/systemd/*.service"))}
+    for service in SERVED:
+        if not any(f"foretrack {service} " in unit for unit in text.values()):
+            yield f"deploy/systemd has no unit of {service}"
+    for name, unit in text.items():
+        for word in UNIT_SAYS:
+            if f"\n{word}" not in unit:
+                yield f"deploy/systemd/{name} does not say {word}"
+    if not shutil.which("systemd-analyze"):
+        print("no systemd-analyze: the units are only read")
+        return
+    paths = [str(ROOT / "deploy/systemd" / name) for name in text]
+    threshold = f"--threshold={int(10 * float(MOST_EXPOSED))}"
+    for command in (["verify", "--man=no"], ["security", "--offline=true", threshold]):
+        for path in paths:
+            done = subprocess.run(["systemd-analyze", *command, path], capture_output=True, text=True,
+                                  check=False)
+            told = done.stderr.strip() if command[0] == "verify" else ""
+            if done.returncode or told:
+                yield f"{path}: systemd-analyze {command[0]}: {told or done.stdout[-200:]}"
+
+
 def braces(text):
     """`a.{hpp,cpp}` is two names."""
     match = re.search(r"\{([^}]*)\}", text)
@@ -210,7 +241,7 @@ def lengths():
 
 RULES = {
     rule.__name__: rule
-    for rule in (layers, names, mirrors, licences, documents, promises, lengths)
+    for rule in (layers, names, mirrors, licences, documents, promises, units, lengths)
 }
 
 if __name__ == "__main__":

@@ -50,6 +50,15 @@ std::vector<std::string> names_of(const std::set<PeerId>& peers,
   return result;
 }
 
+std::vector<std::string> warnings_of(const Node& node) {
+  std::vector<std::string> result;
+  if (const char* unsecured = node.why_unsecured(); *unsecured) result.emplace_back(unsecured);
+  for (const auto& [reason, messages] : node.wire().refused_by_reason())
+    result.push_back(
+        fmt::format("{} messages on the network were refused unread: {}", messages, reason));
+  return result;
+}
+
 }  // namespace
 
 Bus::Bus(std::shared_ptr<Node> node, Outlet outlet)
@@ -82,6 +91,11 @@ std::vector<TopicReport> Bus::topics() const {
 std::vector<VehicleReport> Bus::vehicles() const {
   const std::lock_guard lock(mutex_);
   return vehicle_reports_;
+}
+
+std::vector<std::string> Bus::warnings() const {
+  const std::lock_guard lock(mutex_);
+  return warnings_;
 }
 
 void Bus::stop_reading(Topic& topic) {
@@ -210,6 +224,7 @@ void Bus::publish(double now_s) {
   }
   const std::lock_guard lock(mutex_);
   topic_reports_ = std::move(topics);
+  warnings_ = warnings_of(*node_);
   vehicle_reports_.clear();
   for (const auto& [name, last_s] : vehicles)
     vehicle_reports_.push_back({name, last_s < 0.0 ? -1.0 : now_s - last_s});

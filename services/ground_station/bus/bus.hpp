@@ -40,6 +40,7 @@ class Bus : public Source {
   void ask_to_rejoin(const std::string& why);
   std::vector<TopicReport> topics() const override;
   std::vector<VehicleReport> vehicles() const override;
+  std::vector<std::string> warnings() const override;
 
   /// Called in run()'s thread with the new node: what else has endpoints of the old one moves over.
   std::function<void(std::shared_ptr<Node>)> on_rejoin;
@@ -89,6 +90,7 @@ class Bus : public Source {
   std::string asked_to_rejoin_;  // why; empty: nobody did
   std::vector<TopicReport> topic_reports_;
   std::vector<VehicleReport> vehicle_reports_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace foretrack::station

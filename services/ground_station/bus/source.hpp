@@ -39,6 +39,8 @@ class Source {
   virtual void want(std::set<std::uint32_t> channels) = 0;
   virtual std::vector<TopicReport> topics() const = 0;
   virtual std::vector<VehicleReport> vehicles() const = 0;
+  /// What an operator should know of the bus itself, a sentence each.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 }  // namespace foretrack::station

@@ -25,12 +25,6 @@ std::string wire_name(const std::string& vehicle) {
   return topic_name(topics::MissionCommand::info, names);
 }
 
-std::unique_ptr<RawWriter> make_writer(Node& node, const std::string& topic) {
-  return std::make_unique<RawWriter>(
-      node, RawTopic{topic, TypeName<foretrack_msgs::msg::MissionCommand>::value, false},
-      topics::MissionCommand::info.profile);
-}
-
 }  // namespace
 
 Commander::Commander(std::shared_ptr<Node> node, bool may_order,
@@ -38,11 +32,30 @@ Commander::Commander(std::shared_ptr<Node> node, bool may_order,
     : node_(std::move(node)), may_order_(may_order), on_writer_(std::move(on_writer)) {}
 Commander::~Commander() = default;
 
+// Null: DDS refuses it, as its security does to who may only look. That is told once.
+std::unique_ptr<RawWriter> Commander::make_writer(const std::string& name, Vehicle& vehicle) try {
+  auto writer = std::make_unique<RawWriter>(
+      *node_,
+      RawTopic{wire_name(name), TypeName<foretrack_msgs::msg::MissionCommand>::value, false},
+      topics::MissionCommand::info.profile);
+  vehicle.refused.clear();
+  return writer;
+} catch (const std::runtime_error& error) {
+  vehicle.refused = "this station may not order " + name + ": " + error.what();
+  node_->report(vehicle.refused + "; it goes on reading");
+  return nullptr;
+}
+
 void Commander::move_to(std::shared_ptr<Node> node) {
-  for (auto& [name, vehicle] : vehicles_) {
-    if (vehicle.delivery) vehicle.delivery->move_to(make_writer(*node, wire_name(name)));
-  }
   former_node_ = std::exchange(node_, std::move(node));
+  for (auto& [name, vehicle] : vehicles_) {
+    vehicle.refused.clear();
+    if (!vehicle.delivery) continue;
+    if (auto writer = make_writer(name, vehicle))
+      vehicle.delivery->move_to(std::move(writer));
+    else
+      vehicle.delivery.reset();
+  }
   forget_former();
 }
 
@@ -57,10 +70,11 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   SafetyState state;
   if (!from_cdr(type_ops<SafetyState>(), bytes, &state)) return;
   auto& vehicle = vehicles_[name];
-  if (may_order_ && !vehicle.delivery) {
-    const auto topic = wire_name(name);
-    vehicle.delivery.emplace(name, make_writer(*node_, topic));
-    on_writer_(topic);
+  if (may_order_ && !vehicle.delivery && vehicle.refused.empty()) {
+    if (auto writer = make_writer(name, vehicle)) {
+      vehicle.delivery.emplace(name, std::move(writer));
+      on_writer_(wire_name(name));
+    }
   }
   auto& mission = vehicle.mission;
   mission.lease_operator = state.lease_operator().c_str();
@@ -89,6 +103,10 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
 Commander::Vehicle* Commander::find(const std::string& name, const Report& report) {
   const auto it = vehicles_.find(name);
   if (it != vehicles_.end() && it->second.delivery) return &it->second;
+  if (it != vehicles_.end() && !it->second.refused.empty()) {
+    report({false, it->second.refused});
+    return nullptr;
+  }
   report({false, "nothing was heard of the safety gate of '" + name + "'"});
   return nullptr;
 }
@@ -194,6 +212,7 @@ std::map<std::string, MissionStatus> Commander::missions(double now_s) const {
     mission.lease_expires_s = std::max(0.0, mission.lease_expires_s - (now_s - vehicle.heard_s));
     if (vehicle.lease) mission.lease_expires_s = std::max(0.0, vehicle.lease->until_s - now_s);
     if (mission.lease_expires_s == 0.0) mission.lease_operator.clear();
+    mission.refused = vehicle.refused;
     if (vehicle.delivery) mission.unconfirmed = vehicle.delivery->unconfirmed(now_s);
     result[name] = mission;
   }

@@ -21,7 +21,7 @@ namespace foretrack::station {
 /// lasts, the station keeps the gate's short lease alive. An order that the gate has not answered
 /// within a second is `unconfirmed`, sent once more, and a reason to join the bus anew; STOP is
 /// sent ten times a second until the vehicle has stopped. Belongs to one thread; `now_s` is the
-/// steady clock's.
+/// steady clock's. Where DDS-Security lets the station write no orders, it says so, and reads on.
 class Commander {
  public:
   /// `may_order`: else it only listens. `on_writer` is told the name on the wire of each topic that
@@ -63,11 +63,13 @@ class Commander {
   };
   struct Vehicle {
     std::optional<Delivery> delivery;  // none: nothing was heard, or it may not order
+    std::string refused;               // why DDS lets us write nothing to it
     std::optional<Lease> lease;        // that was taken here
     MissionStatus mission;
     double heard_s = 0.0;  // when mission was heard
   };
   Vehicle* find(const std::string& vehicle, const Report& report);
+  std::unique_ptr<RawWriter> make_writer(const std::string& name, Vehicle& vehicle);
   void renew(Vehicle& vehicle, double now_s);
   void forget_former();
 

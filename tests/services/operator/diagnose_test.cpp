@@ -160,6 +160,20 @@ TEST(Diagnose, SaysOneThingWhenNobodyIsThere) {
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_THAT(findings[0].text, HasSubstr("'uav1' is heard on DDS domain 7"));
   EXPECT_THAT(findings[0].advice, HasSubstr("kestrel"));
+  flight.snapshot.other_vehicles.clear();
+  EXPECT_THAT(diagnose(flight.snapshot)[0].advice, HasSubstr("on this network"));
+  flight.snapshot.this_machine_only = true;
+  EXPECT_THAT(diagnose(flight.snapshot)[0].advice, HasSubstr("--interface"));
+}
+
+TEST(Diagnose, SaysWhoCanBeHeard) {
+  Flight flight;
+  EXPECT_THAT(to_text(diagnose(flight.snapshot)), Not(HasSubstr("--interface")));
+  flight.snapshot.this_machine_only = true;
+  EXPECT_THAT(to_text(diagnose(flight.snapshot)), HasSubstr("Only this machine is heard"));
+  flight.snapshot.this_machine_only = false;
+  flight.snapshot.unsecured = "DDS is not secured";
+  EXPECT_THAT(to_text(diagnose(flight.snapshot)), HasSubstr("not secured"));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ export interface StationVehicle {
     id: number; command: string; operator: string; result: string; reason: string;
   } | null;
   unconfirmed?: { command: string; operator: string; still_sent: boolean } | null;
+  orders_refused?: string | null; // why the station may not order it
 }
 
 export interface StationTopic {
@@ -45,6 +46,7 @@ export interface StationStatus {
     active: boolean; file: string; bytes: number; seconds: number; lost?: number;
   } | null;
   recording_fault?: string | null;
+  warnings?: string[]; // of the bus; stations before 0.2 do not tell
   topics: StationTopic[];
   clients: StationClient[];
 }

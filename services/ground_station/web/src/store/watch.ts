@@ -27,9 +27,21 @@ export function watchTime(state: State): void {
   }
 }
 
+// Each sentence is an alarm of its own; numbers in it may grow.
+function hearWarnings(state: State, warnings: string[]): void {
+  const kinds = new Map(warnings.map((text) => [`bus ${text.replace(/\d+/g, "")}`, text]));
+  for (const [kind, text] of kinds) hold(state, "", kind, true, "alarm", text);
+  for (const alarm of state.alarms.values())
+    if (alarm.key.startsWith(" bus ") && !kinds.has(alarm.key.slice(1)))
+      hold(state, "", alarm.key.slice(1), false, alarm.severity, alarm.text);
+}
+
 export function hearStation(state: State, status: StationStatus): void {
   const fault = status.recording_fault ?? "";
   hold(state, "", "recording", fault !== "", "alarm", fault);
+  hearWarnings(state, status.warnings ?? []);
+  for (const { name, orders_refused } of status.vehicles)
+    hold(state, name, "orders refused", Boolean(orders_refused), "alarm", orders_refused ?? "");
   for (const { name, unconfirmed } of status.vehicles)
     hold(state, name, "order", Boolean(unconfirmed), "alarm", `${unconfirmed?.command} of ` +
       `${unconfirmed?.operator}: not confirmed by the safety gate, ` +

@@ -169,6 +169,27 @@ test("the station's report raises mismatches and tells of refused orders", () =>
   assert.equal(alarm(state, "a qos /a/odometry")!.cleared_s, 2);
 });
 
+test("warnings of the bus and refused orders are alarms while they hold", () => {
+  const status = (warnings: string[], orders_refused: string | null) => ({
+    server: { version: "1", uptime_s: 1, clients: 1, control_enabled: true, needs_token: false },
+    vehicles: [{ name: "a", seen_s_ago: 0, lease: null, last_command: null, orders_refused }],
+    recording: null, clients: [], topics: [], warnings });
+  const unsecured = "DDS reaches other machines and is not secured";
+  const state = fold([status([unsecured, "3 messages were refused"], null),
+    status([unsecured, "12 messages were refused"], "may not order a"), status([], null)]
+    .map((message, i) => {
+      const input = sample("/x/y", i, message);
+      if (input.kind === "sample")
+        Object.assign(input.sample, { vehicle: "", name: "station/status" });
+      return input;
+    }));
+  assert.equal(alarm(state, ` bus ${unsecured}`)!.severity, "alarm");
+  assert.equal(alarm(state, ` bus ${unsecured}`)!.cleared_s, 2);
+  assert.equal(alarm(state, " bus  messages were refused")!.text, "12 messages were refused");
+  assert.equal(alarm(state, "a orders refused")!.since_s, 1);
+  assert.equal(alarm(state, "a orders refused")!.cleared_s, 2);
+});
+
 test("the same inputs give the same state", () => {
   const inputs = Array.from({ length: 200 }, (_, i) => [
     sample("/a/odometry", i / 10, odometry(i * 0.1, 0)),
