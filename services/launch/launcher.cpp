@@ -25,6 +25,7 @@ using namespace std::chrono_literals;
 constexpr auto kFirstBackOff = 100ms;
 constexpr auto kLongestBackOff = 5s;
 constexpr auto kHealthyAfter = 10s;
+constexpr auto kAcceptedAfter = 3s;  // by then it would have refused its arguments
 constexpr auto kKillPatience = 500ms;
 constexpr auto kLookPeriod = 500ms;
 
@@ -139,13 +140,14 @@ std::string Launcher::reap(Process& process, int wait_status) {
   process.pid = -1;
   if (now - process.started > kHealthyAfter) process.crashes_in_a_row = 0;
   ++process.crashes_in_a_row;
+  process.accepted |= now - process.started > kAcceptedAfter;
   const std::string what = process.spec.name + " " + describe(wait_status);
   const bool exited = WIFEXITED(wait_status);
   if (exited && WEXITSTATUS(wait_status) == 0 && !process.spec.always) {
     process.given_up = true;
     return what;
   }
-  if (exited && is_misuse(WEXITSTATUS(wait_status))) {
+  if (exited && is_misuse(WEXITSTATUS(wait_status)) && !process.accepted) {
     process.given_up = true;
     return what + " and is not started again:\n" + log_tail(process.spec.name);
   }

@@ -26,7 +26,9 @@ struct Process {
   pid_t pid = -1;            // -1: not running
   int starts = 0;            // since the launcher's start; restarts = starts - 1
   int crashes_in_a_row = 0;  // forgotten once it has run for a while
-  bool given_up = false;     // it refused its arguments, or was done: starting again helps nobody
+  bool accepted =
+      false;  // its arguments: what it refuses later may come back, as an interface does
+  bool given_up = false;  // it refused its arguments, or was done: starting again helps nobody
   Clock::time_point started;
   Clock::time_point due;  // when it may start (again)
 };

@@ -110,6 +110,19 @@ TEST(Launcher, GivesUpOnAProcessThatRefusesItsArguments) {
   EXPECT_EQ(launcher.processes()[0].starts, 1);
 }
 
+// In flight, an interface may be gone at the moment of a restart.
+TEST(Launcher, StartsAgainWhatRefusesItsArgumentsAfterItHasRunWithThem) {
+  Folder folder;
+  Launcher launcher(folder.path, "/bin/sh");
+  const std::string ran = (folder.path / "ran").string();
+  launcher.add(shell("test -e " + ran + " && exit 2; touch " + ran + "; sleep 3.2; exit 1"));
+  EXPECT_TRUE(eventually([&] {
+    launcher.poll();
+    return launcher.processes()[0].starts == 3;
+  }));
+  EXPECT_FALSE(launcher.any_given_up());
+}
+
 TEST(Launcher, LeavesAProcessDeadThatIsNotToBeStartedAgain) {
   Folder folder;
   Launcher launcher(folder.path, "/bin/sh");
