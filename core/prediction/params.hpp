@@ -15,6 +15,7 @@ struct PredictionParams {
   double step_s = 0.2;
   bool intention_paths = true;
   bool around_obstacles = true;
+  bool short_term_network = true;
   double path_probability_min = 0.05;
   // Reachable region
   double region_horizon_s = 1.0;
