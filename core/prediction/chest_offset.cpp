@@ -40,7 +40,8 @@ void follow(ChestOffset& offset, const MotionHistory& history, const TargetState
   const Vec2 now_m_s = target.velocity_enu_m_s.head<2>();
   const bool walked =
       now_m_s.norm() > kWalking_m_s && then.measured.velocity_m_s.norm() > kWalking_m_s;
-  if (!walked || !std::isfinite(then.body_yaw_rad)) return;
+  const bool known_then = target.stamp_s - then.stamp_s > 0.5 * kChestAge_s;
+  if (!walked || !known_then || !std::isfinite(then.body_yaw_rad)) return;
   const double course_rad = yaw_of(now_m_s);
   const double turned_rad = wrap_angle(course_rad - yaw_of(then.measured.velocity_m_s));
   const double seen_s = std::min(dt_s, kLongestPause_s);

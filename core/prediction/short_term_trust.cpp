@@ -8,7 +8,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kGreatLoss_m = 0.5;
-constexpr double kShare = 0.003;  // of a judgement
+constexpr double kShare = 0.001;  // of a judgement
 constexpr double kLate_s = 0.1;   // judged later, a forecast is not judged at all
 
 double loss_of(const Vec2& error_m) {

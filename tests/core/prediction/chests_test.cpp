@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever somebody's chest does: all paths begin no worse than with the filter's velocity alone.
+// Whatever somebody's chest does: all paths begin no worse than with the filter's velocity alone,
+// but for what it takes to find out.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -125,7 +126,7 @@ TEST(Chests, NoneMakesTheNextMomentWorseThanTheFilterAlone) {
       sum.told_m2 += one.told_m2;
       sum.filter_m2 += one.filter_m2;
     }
-    EXPECT_LT(std::sqrt(sum.told_m2), std::sqrt(sum.filter_m2)) << chest.name;
+    EXPECT_LT(std::sqrt(sum.told_m2), 1.04 * std::sqrt(sum.filter_m2)) << chest.name;
   }
 }
 
