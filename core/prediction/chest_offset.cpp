@@ -11,14 +11,17 @@ constexpr double kMemory_s = 4.0;
 constexpr double kLongestPause_s = 0.2;
 constexpr double kJump_rad = 2.0;  // from one measurement to the next: nobody turns so fast
 constexpr double kWalking_m_s = 0.4;
-constexpr double kChestAge_s = 0.4;        // a chest's lead, and a filter's lag
-constexpr double kStraight_rad = 0.3;      // of the course since then; more hardly counts
+constexpr double kChestAge_s = 0.4;    // a chest's lead, and a filter's lag
+constexpr double kStraight_rad = 0.3;  // of the course since then; more hardly counts
+constexpr double kNoise_rad =
+    rad(10.0);  // so much the measurements of a chest make up; twice it they do not
 constexpr double kStraightAhead_s = 0.05;  // as believed before anything was seen
 
 }  // namespace
 
 double ChestOffset::angle_rad() const {
-  return std::atan2(mean_s.y(), mean_s.x() + kStraightAhead_s);
+  const double angle_rad = std::atan2(mean_s.y(), mean_s.x() + kStraightAhead_s);
+  return angle_rad * std::clamp(std::abs(angle_rad) / kNoise_rad - 1.0, 0.0, 1.0);
 }
 
 double unflipped_yaw_rad(ChestOffset& offset, const TargetState& target) {

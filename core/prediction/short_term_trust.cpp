@@ -27,7 +27,8 @@ void weigh(ShortTermTrust& trust, const ShortTermTrust::Said& said, const Vec2& 
 }  // namespace
 
 double ShortTermTrust::in_chest() const {
-  return of(Forecaster::kChest) / (of(Forecaster::kChest) + of(Forecaster::kTrack));
+  const double chest = of(Forecaster::kChest), track = of(Forecaster::kTrack);
+  return chest * chest / (chest * chest + track * track);
 }
 
 void judge(ShortTermTrust& trust, double stamp_s, const PlanarState& measured) {
