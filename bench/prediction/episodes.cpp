@@ -23,7 +23,11 @@ constexpr double kMapResolution_m = 0.15;
 // part, and the shoulders' angle.
 class Tracker {
  public:
-  explicit Tracker(std::uint64_t seed) : random_(seed), slow_sigma_m_(random_.uniform(0.03, 0.08)) {
+  Tracker(std::uint64_t seed, double flip_share)
+      : random_(seed),
+        flips_(seed + 77),
+        flip_share_(flip_share),
+        slow_sigma_m_(random_.uniform(0.03, 0.08)) {
     slow_m_ = slow_sigma_m_ * Vec2(random_.normal(), random_.normal());
   }
 
@@ -37,7 +41,9 @@ class Tracker {
     m.stamp_s = stamp_s;
     m.position_enu_m << seen, kHeight_m;
     m.covariance_m2 = Mat3::Identity() * kWhite_m * kWhite_m * 2.0;
-    m.yaw_rad = wrap_angle(body_yaw_rad + random_.normal(0.0, params_.yaw_noise_rad));
+    draw_flip(stamp_s);
+    m.yaw_rad = wrap_angle(body_yaw_rad + random_.normal(0.0, params_.yaw_noise_rad) +
+                           (flipped_ ? kPi : 0.0));
     m.yaw_variance_rad2 = params_.yaw_noise_rad * params_.yaw_noise_rad;
     estimate_ = advance(estimate_, m, params_);
     TargetState state = target_state(predict_estimate(estimate_, now_s, params_));
@@ -47,10 +53,20 @@ class Tracker {
 
  private:
   static constexpr double kSlow_s = 0.5;
+  static constexpr double kFlipSpell_s = 0.5;
+
+  void draw_flip(double stamp_s) {
+    if (stamp_s < flips_until_s_) return;
+    flips_until_s_ = stamp_s + kFlipSpell_s;
+    flipped_ = flips_.chance(flip_share_);
+  }
+
   static constexpr double kWhite_m = 0.03;
 
   PerceptionParams params_;
-  Random random_;
+  Random random_, flips_;
+  double flip_share_, flips_until_s_ = -1.0;
+  bool flipped_ = false;
   double slow_sigma_m_;
   Vec2 slow_m_;
   TargetEstimate estimate_;
@@ -84,6 +100,10 @@ PersonParams person_params(const SimulatedWalk& walk, Random& random) {
   PersonParams params;
   params.start_s = random.uniform(0.5, 3.0);
   params.shoulder_lead_s = shoulder_lead_s(random);
+  if (walk.chest.lead_s) params.shoulder_lead_s = *walk.chest.lead_s;
+  params.shoulder_offset_rad = walk.chest.offset_rad;
+  params.shoulder_sway_rad = walk.chest.sway_rad;
+  params.shoulder_sway_hz = walk.chest.sway_hz;
   for (int i = 0; i < walk.stops; ++i)
     params.stops.push_back(
         {(i + random.uniform(0.3, 0.8)) * walk.duration_s / walk.stops, random.uniform(1.0, 3.0)});
@@ -113,8 +133,9 @@ int steps_of_delay(std::uint64_t seed) {
 }
 
 // Notes the person's walk and what a tracker sees of it.
-void walk_and_watch(Person person, std::uint64_t seed, double longest_s, Episode& episode) {
-  Tracker tracker(seed);
+void walk_and_watch(Person person, std::uint64_t seed, double flip_share, double longest_s,
+                    Episode& episode) {
+  Tracker tracker(seed, flip_share);
   const int count = static_cast<int>(std::min(longest_s, person.walk.duration_s()) / kTruthStep_s);
   const int late = steps_of_delay(seed);
   std::vector<double> body_yaw_rad;
@@ -149,7 +170,7 @@ Episode replay(const Track& track, std::uint64_t seed) {
   params.start_s = 0.0;
   Random random(seed);
   params.shoulder_lead_s = shoulder_lead_s(random);
-  walk_and_watch(make_person(params, walk_through(track.points), 0.0), seed, 1e9, episode);
+  walk_and_watch(make_person(params, walk_through(track.points), 0.0), seed, 0.0, 1e9, episode);
   return episode;
 }
 
@@ -164,8 +185,8 @@ Episode simulate_walk(const SimulatedWalk& walk) {
   PersonParams person = person_params(walk, random);
   ReturningWalk way = way_of(walk, place.route_m, random);
   person.backward = std::move(way.backward);
-  walk_and_watch(make_person(person, std::move(way.walk), 0.0), walk.seed, walk.duration_s,
-                 episode);
+  walk_and_watch(make_person(person, std::move(way.walk), 0.0), walk.seed, walk.chest.flip_share,
+                 walk.duration_s, episode);
   return episode;
 }
 

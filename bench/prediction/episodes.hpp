@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct Episode {
 Episode without_map(Episode episode);
 Episode without_body(Episode episode);
 
+/// Where somebody's chest points: as in PersonParams and LandmarkCameraParams.
+struct Chest {
+  std::optional<double> lead_s = {};  // none: 0.2 to 0.4 s, by the walk's seed
+  double offset_rad = 0.0;
+  double sway_rad = 0.0, sway_hz = 0.5;
+  double flip_share = 0.0;
+};
+
 struct SimulatedWalk {
   bool in_passages = false;  // else in a world of this kind
   WorldKind kind = WorldKind::kEmpty;
@@ -38,6 +47,7 @@ struct SimulatedWalk {
   double return_every_m = 0.0;  // turns round so often, and some metres later again; 0: never
   bool returns_at_end = false;  // goes to and fro before the end of a passage
   double duration_s = 60.0;
+  Chest chest = {};
 };
 
 /// Sharp turns around what stands in a generated world, shoulders ahead of the path.

@@ -25,6 +25,13 @@ std::string fault_of(const ParamRow& row) {
          ", " + number_text(row.max) + "] " + std::string(row.unit);
 }
 
+// What false and true of a flag are called: its unit, as "filter|network", or these words.
+std::pair<std::string_view, std::string_view> words_of(const ParamRow& row) {
+  const std::size_t bar = row.unit.find('|');
+  if (bar == std::string_view::npos) return {"false", "true"};
+  return {row.unit.substr(0, bar), row.unit.substr(bar + 1)};
+}
+
 template <class T>
 bool parse(std::string_view text, T& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -34,10 +41,17 @@ bool parse(std::string_view text, T& value) {
 bool assign(const ParamRow& row, std::string_view text) {
   if (auto* const* d = std::get_if<double*>(&row.value)) return parse(text, **d);
   if (auto* const* i = std::get_if<int*>(&row.value)) return parse(text, **i);
-  bool& flag = *std::get<bool*>(row.value);
-  if (text == "true") return flag = true, true;
-  if (text == "false") return flag = false, true;
-  return false;
+  const auto [no, yes] = words_of(row);
+  if (text != yes && text != no) return false;
+  *std::get<bool*>(row.value) = text == yes;
+  return true;
+}
+
+std::string expected(const ParamRow& row) {
+  if (std::holds_alternative<double*>(row.value)) return "a number";
+  if (std::holds_alternative<int*>(row.value)) return "a whole number";
+  const auto [no, yes] = words_of(row);
+  return std::string(yes) + " or " + std::string(no);
 }
 
 }  // namespace
@@ -45,7 +59,8 @@ bool assign(const ParamRow& row, std::string_view text) {
 std::string text_of(const ParamRow& row) {
   if (const auto* d = std::get_if<double*>(&row.value)) return number_text(**d);
   if (const auto* i = std::get_if<int*>(&row.value)) return std::to_string(**i);
-  return *std::get<bool*>(row.value) ? "true" : "false";
+  const auto [no, yes] = words_of(row);
+  return std::string(*std::get<bool*>(row.value) ? yes : no);
 }
 
 std::vector<std::string> faults_of(const ParamRows& rows) {
@@ -66,15 +81,8 @@ void validate_or_throw(std::string_view stage, const ParamRows& rows) {
 std::string set_param(const ParamRows& rows, std::string_view name, std::string_view text) {
   for (const auto& row : rows) {
     if (row.name != name) continue;
-    if (!assign(row, text)) {
-      const bool is_bool = std::holds_alternative<bool*>(row.value);
-      const bool is_int = std::holds_alternative<int*>(row.value);
-      return std::string(name) + ": '" + std::string(text) + "' is not " +
-             (is_bool  ? "true or false"
-              : is_int ? "a whole number"
-                       : "a number");
-    }
-    return fault_of(row);
+    if (assign(row, text)) return fault_of(row);
+    return std::string(name) + ": '" + std::string(text) + "' is not " + expected(row);
   }
   return std::string(name) + ": no such parameter";
 }

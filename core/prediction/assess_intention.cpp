@@ -36,6 +36,22 @@ void assess_intention(const MotionCues& motion, const Surroundings& surroundings
   assessment.body_turn_rad = motion.body_turn_rad;
 }
 
+void mix(IntentionAssessment& assessment, const IntentionAssessment& other, double share,
+         IntentionTable table) {
+  const auto blend = [share](double& own, double others) {
+    own = share * own + (1.0 - share) * others;
+  };
+  for (const IntentionRow& row : table) {
+    IntentionBelief& own = assessment[row.id];
+    const IntentionBelief& others = other[row.id];
+    blend(own.potential, others.potential);
+    blend(own.observation, others.observation);
+    blend(own.score, others.score);
+    blend(own.probability, others.probability);
+  }
+  assessment.margins = margin_scores(assessment, table);
+}
+
 MarginScores margin_scores(const IntentionAssessment& assessment, IntentionTable table) {
   const auto greatest = [&](Margin margin) {
     double most = 0.0;

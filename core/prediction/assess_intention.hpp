@@ -12,6 +12,10 @@ void assess_intention(const MotionCues& motion, const Surroundings& surroundings
                       const PredictionParams& params, IntentionAssessment& assessment,
                       IntentionTable table = kIntentions);
 
+/// Of beliefs, scores and probabilities: share of one's own and the rest of the other's.
+void mix(IntentionAssessment& assessment, const IntentionAssessment& other, double share,
+         IntentionTable table = kIntentions);
+
 /// The greatest score of the intentions that ask for each margin.
 MarginScores margin_scores(const IntentionAssessment& assessment,
                            IntentionTable table = kIntentions);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foretrack {
 namespace {
@@ -17,11 +18,25 @@ double heading_change(const MotionHistory::Sample& from, const Vec2& to_m_s, dou
   return wrap_angle(yaw_of(to_m_s) - yaw_of(from.measured.velocity_m_s));
 }
 
+ShortTermMotion tell_motion(MotionMemory& memory, const TargetState& target,
+                            const PlanarState& measured, const PredictionParams& params) {
+  const MotionHistory& h = memory.history;
+  follow(memory.chest, h, target);
+  judge(memory.trust, target.stamp_s, measured);
+  TargetState faceless = target;
+  faceless.body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
+  const ByForecaster<ShortTermMotion> said = {
+      short_term_motion(h, target, memory.chest.angle_rad()), short_term_motion(h, faceless),
+      filtered_motion(target)};
+  note(memory.trust, target.stamp_s, said);
+  return params.short_term_network ? mixed(said, memory.trust) : filtered_motion(target);
+}
+
 void read_body(MotionHistory& h, const TargetState& target, const PredictionParams& params,
                MotionCues& cues) {
   const Vec2& velocity_m_s = cues.measured.velocity_m_s;
   if (cues.body_known && velocity_m_s.norm() >= params.walking_speed_m_s)
-    cues.body_turn_rad = wrap_angle(target.body_yaw_rad - yaw_of(velocity_m_s));  // eq. 3
+    cues.body_turn_rad = wrap_angle(cues.chest_rad - yaw_of(velocity_m_s));  // eq. 3
   h.samples[h.newest].body_turn_rad = cues.body_turn_rad;
   double sum = 0.0;
   int n = 0;
@@ -67,22 +82,33 @@ Gait gait_of(const MotionHistory& h, const TargetState& target, const MotionCues
   const double course_rad = slowed ? yaw_of(fastest->velocity_m_s) : cues.heading_rad;
   gait.back_rad = wrap_angle(course_rad + kPi);
   const bool chest_turned =
-      cues.body_known && std::abs(wrap_angle(target.body_yaw_rad - course_rad)) > kTurnedRound_rad;
-  if (chest_turned) gait.back_rad = target.body_yaw_rad;
+      cues.body_known && std::abs(wrap_angle(cues.chest_rad - course_rad)) > kTurnedRound_rad;
+  if (chest_turned && cues.chest_trust > 0.5) gait.back_rad = cues.chest_rad;
   return gait;
 }
 
 }  // namespace
 
-MotionCues observe_motion(MotionMemory& memory, const TargetState& target,
+MotionCues without_chest(MotionCues cues) {
+  cues.body_known = false;
+  cues.body_turn_rad = cues.steady_body_turn_rad = 0.0;
+  cues.body_swing_rad = {};
+  return cues;
+}
+
+MotionCues observe_motion(MotionMemory& memory, const TargetState& seen,
                           const PredictionParams& params) {
   MotionHistory& h = memory.history;
+  TargetState target = seen;
+  target.body_yaw_rad = unflipped_yaw_rad(memory.chest, seen);
   MotionCues cues;
   cues.measured = {target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()};
   cues.height_m = target.position_enu_m.z();
   cues.body_known = std::isfinite(target.body_yaw_rad);
   remember(h, {target.stamp_s, cues.measured, target.body_yaw_rad});
-  const ShortTermMotion motion = short_term_motion(h, target);
+  const ShortTermMotion motion = tell_motion(memory, target, cues.measured, params);
+  cues.chest_rad = wrap_angle(target.body_yaw_rad - memory.chest.angle_rad());
+  cues.chest_trust = memory.trust.in_chest();
   cues.state = motion.now;
   cues.soon = motion.soon;
   const Vec2 change_m_s = motion.soon.velocity_m_s - motion.now.velocity_m_s;
@@ -90,7 +116,7 @@ MotionCues observe_motion(MotionMemory& memory, const TargetState& target,
   cues.speed_m_s = cues.state.velocity_m_s.norm();
   cues.walking = cues.speed_m_s >= params.walking_speed_m_s;
   cues.heading_rad =
-      cues.walking || !cues.body_known ? yaw_of(cues.state.velocity_m_s) : target.body_yaw_rad;
+      cues.walking || !cues.body_known ? yaw_of(cues.state.velocity_m_s) : cues.chest_rad;
   if (cues.walking) {
     const Eigen::Rotation2Dd to_heading(-cues.heading_rad);
     cues.soon_turn_rad = yaw_of(Vec2(to_heading * motion.soon.velocity_m_s));

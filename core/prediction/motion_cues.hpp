@@ -5,9 +5,9 @@
 #include <array>
 
 #include "core/common/target.hpp"
-#include "core/prediction/motion_history.hpp"
+#include "core/prediction/chest_offset.hpp"
 #include "core/prediction/params.hpp"
-#include "core/prediction/short_term_motion.hpp"
+#include "core/prediction/short_term_trust.hpp"
 #include "core/prediction/walk_habit.hpp"
 
 namespace foretrack {
@@ -16,6 +16,8 @@ namespace foretrack {
 struct MotionMemory {
   MotionHistory history;
   WalkHabit habit;
+  ChestOffset chest;
+  ShortTermTrust trust;
 };
 
 /// What the target's motion so far says of its intention.
@@ -31,6 +33,8 @@ struct MotionCues {
   bool walking = false;      // fast enough for its velocity to have a direction
   double heading_rad = 0.0;  // of the velocity; of the chest when not walking
   bool body_known = false;
+  double chest_rad = 0.0;      // less its steady offset from the course; NaN: not known
+  double chest_trust = 1.0;    // in [0, 1]: how far it is worth reading
   double body_turn_rad = 0.0;  // r_bv (eq. 3), of the measured velocity, wrapped; 0: not known
   double steady_body_turn_rad = 0.0;  // its mean over the last moments: noise is about 10°
   // Change of the chest's yaw over the last moments: unlike r_bv it does not wait for the velocity,
@@ -49,6 +53,9 @@ struct MotionCues {
   double log_turn_backs_per_s = 0.0;        // as often as it has turned back so far
   Gait gait;
 };
+
+/// The cues as they are of somebody whose chest is not seen.
+MotionCues without_chest(MotionCues cues);
 
 /// Adds the target to the memory and reads the cues.
 MotionCues observe_motion(MotionMemory& memory, const TargetState& target,

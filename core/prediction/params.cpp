@@ -11,6 +11,8 @@ ParamRows rows(PredictionParams& p) {
        "a path for each intention; else one of constant velocity unless blocked"},
       {"around_obstacles", &p.around_obstacles, "", 0, 0,
        "paths lead around obstacles; else one of constant velocity whatever stands there"},
+      {"short_term", &p.short_term_network, "filter|network", 0, 0,
+       "who tells the next moment, where all paths begin"},
       {"path_probability_min", &p.path_probability_min, "", 0.0, 0.25,
        "less likely paths are left out, all but the likeliest"},
       {"target_stale_s", &p.target_stale_s, "s", 0.05, 10.0,

@@ -17,6 +17,7 @@ struct PredictionParams {
   bool intention_paths = true;
   /// paths lead around obstacles; else one of constant velocity whatever stands there
   bool around_obstacles = true;
+  bool short_term_network = true;      ///< who tells the next moment, where all paths begin
   double path_probability_min = 0.05;  ///< less likely paths are left out, all but the likeliest
   double target_stale_s = 0.5;  ///< without a target state for so long, nobody is expected anywhere
   // Reachable region

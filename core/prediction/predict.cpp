@@ -13,6 +13,20 @@ bool is_finite(const TargetState& target) {
          target.velocity_enu_m_s.allFinite() && target.covariance.allFinite();
 }
 
+// A chest counts as far as what it told came true lately; the rest is told without it.
+void assess(const MotionCues& motion, const Surroundings& surroundings,
+            const PredictionParams& params, bool map_known, IntentionAssessment& assessment,
+            IntentionTable table) {
+  assess_intention(motion, surroundings, params, assessment, table);
+  calibrate(motion, surroundings, params, map_known, assessment, table);
+  if (!motion.body_known) return;
+  IntentionAssessment faceless;
+  const MotionCues cues = without_chest(motion);
+  assess_intention(cues, surroundings, params, faceless, table);
+  calibrate(cues, surroundings, params, map_known, faceless, table);
+  mix(assessment, faceless, motion.chest_trust, table);
+}
+
 }  // namespace
 
 const PredictionResult& predict(PredictionState& state, const TargetState& target,
@@ -28,9 +42,8 @@ const PredictionResult& predict(PredictionState& state, const TargetState& targe
   }
   const MotionCues motion = observe_motion(state.memory, target, params);
   const Surroundings surroundings = observe_surroundings(map, motion, params);  // §III.B
-  assess_intention(motion, surroundings, params, result.intention, table);      // §III.C
-  calibrate(motion, surroundings, params, !map.empty(), result.intention, table);
-  predict_paths(state, target, motion, map, params, table);  // §IV
+  assess(motion, surroundings, params, !map.empty(), result.intention, table);  // §III.C
+  predict_paths(state, target, motion, map, params, table);                     // §IV
   return result;
 }
 

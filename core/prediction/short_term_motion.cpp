@@ -29,14 +29,16 @@ PlanarState corrected(const PlanarState& state, const Vec2& position_error,
 
 }  // namespace
 
-ShortTermFeatures short_term_features(const MotionHistory& history, const TargetState& target) {
+ShortTermFeatures short_term_features(const MotionHistory& history, const TargetState& target,
+                                      double chest_offset_rad) {
   const Vec2 position_m = target.position_enu_m.head<2>();
   const Vec2 velocity_m_s = target.velocity_enu_m_s.head<2>();
   const double speed = velocity_m_s.norm();
   ShortTermFeatures f;
   f.body_known = std::isfinite(target.body_yaw_rad);
   const bool by_chest = f.body_known && speed < kWalkingSpeed_m_s;
-  f.heading_rad = by_chest ? target.body_yaw_rad : yaw_of(velocity_m_s);
+  const double chest_rad = target.body_yaw_rad - chest_offset_rad;
+  f.heading_rad = by_chest ? chest_rad : yaw_of(velocity_m_s);
   const Eigen::Rotation2Dd to_heading(-f.heading_rad);
   auto even = f.even.begin();
   auto odd = f.odd.begin();
@@ -48,7 +50,7 @@ ShortTermFeatures short_term_features(const MotionHistory& history, const Target
   *even++ = 1.0;
   *even++ = speed;
   *even++ = std::clamp(target.stamp_s - target.last_measurement_s, 0.0, kLatest_s);
-  add_angle(f.body_known ? wrap_angle(target.body_yaw_rad - f.heading_rad) : 0.0);
+  add_angle(f.body_known ? wrap_angle(chest_rad - f.heading_rad) : 0.0);
   for (const double age_s : ShortTermFeatures::kAges_s) {
     const MotionHistory::Sample& then = history.before(target.stamp_s, age_s);
     const double elapsed_s = target.stamp_s - then.stamp_s;
@@ -80,12 +82,17 @@ ShortTermErrors short_term_errors(const ShortTermFeatures& f, const ShortTermWei
   return errors;
 }
 
-ShortTermMotion short_term_motion(const MotionHistory& history, const TargetState& target) {
-  const ShortTermFeatures f = short_term_features(history, target);
+ShortTermMotion filtered_motion(const TargetState& target) {
+  const PlanarState now{target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()};
+  return {now, advance(MotionModel::constant_velocity(), now, ShortTermMotion::kSoon_s)};
+}
+
+ShortTermMotion short_term_motion(const MotionHistory& history, const TargetState& target,
+                                  double chest_offset_rad) {
+  const ShortTermFeatures f = short_term_features(history, target, chest_offset_rad);
   const ShortTermErrors errors = short_term_errors(f, short_term_weights(f.body_known));
   const Eigen::Rotation2Dd to_world(f.heading_rad);
-  const PlanarState now{target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>()};
-  const PlanarState soon = advance(MotionModel::constant_velocity(), now, ShortTermMotion::kSoon_s);
+  const auto [now, soon] = filtered_motion(target);
   return {corrected(now, errors[0], errors[1], to_world),
           corrected(soon, errors[2], errors[3], to_world)};
 }

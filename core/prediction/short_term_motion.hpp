@@ -22,8 +22,10 @@ struct ShortTermFeatures {
   bool body_known = false;
 };
 
-/// Features of a target whose states up to this one are in the history.
-ShortTermFeatures short_term_features(const MotionHistory& history, const TargetState& target);
+/// Features of a target whose states up to this one are in the history. chest_offset_rad: by which
+/// the chest points aside of the course all the time.
+ShortTermFeatures short_term_features(const MotionHistory& history, const TargetState& target,
+                                      double chest_offset_rad = 0.0);
 
 /// One layer of hidden units beside a linear map. What it says of a mirrored walk is mirrored.
 struct ShortTermWeights {
@@ -47,14 +49,18 @@ using ShortTermErrors = std::array<Vec2, ShortTermWeights::kOutputs>;
 ShortTermErrors short_term_errors(const ShortTermFeatures& features,
                                   const ShortTermWeights& weights);
 
-/// How the target moves now and in a moment, as the network tells it.
+/// How the target moves now and in a moment.
 struct ShortTermMotion {
   static constexpr double kSoon_s = 0.2;
   PlanarState now;
   PlanarState soon;  // after kSoon_s, as far as it shows already
 };
 
-/// Cost: some 5000 flops.
-ShortTermMotion short_term_motion(const MotionHistory& history, const TargetState& target);
+/// As the filter has it: at constant velocity.
+ShortTermMotion filtered_motion(const TargetState& target);
+
+/// As the network tells it. Cost: some 5000 flops.
+ShortTermMotion short_term_motion(const MotionHistory& history, const TargetState& target,
+                                  double chest_offset_rad = 0.0);
 
 }  // namespace foretrack

@@ -36,6 +36,20 @@ LandmarkCamera::Noise next_noise(LandmarkCamera::Noise& lasting, const Mixture& 
           m.lasting * lasting.joint_m + m.white * draw<Vec3>(random)};
 }
 
+// A back looks much like a front: who mistakes it does so for some images in a row.
+void draw_flip(LandmarkCamera& camera, double stamp_s) {
+  constexpr double kSpell_s = 0.5;
+  if (camera.params.flip_share <= 0.0 || stamp_s < camera.flips_until_s) return;
+  camera.flips_until_s = stamp_s + kSpell_s;
+  camera.flipped = camera.random.chance(camera.params.flip_share);
+}
+
+// Eyes are 1 to 3 and 4 to 6; from the ears on, left and right alternate.
+void swap_sides(std::array<Landmark, kLandmarkCount>& landmarks) {
+  for (int i = 1; i <= 3; ++i) std::swap(landmarks[i], landmarks[i + 3]);
+  for (int i = 7; i + 1 < kLandmarkCount; i += 2) std::swap(landmarks[i], landmarks[i + 1]);
+}
+
 struct View {
   const World& world;
   Pose T_world_camera;
@@ -84,6 +98,7 @@ std::optional<TargetObservation> image_landmarks(LandmarkCamera& camera, const V
     seen += image_landmark(p, view, joints[i], noise, camera.random, observation.landmarks[i]);
   }
   if (seen < p.landmarks_needed) return std::nullopt;
+  if (camera.flipped) swap_sides(observation.landmarks);
   return observation;
 }
 
@@ -95,8 +110,8 @@ TargetObservation measure_position(LandmarkCamera& camera, const PersonState& pe
   observation.camera = camera.params.camera;
   observation.position_enu_m = person.position_enu_m + kPositionNoise_m * draw<Vec3>(camera.random);
   observation.covariance_m2 = kPositionNoise_m * kPositionNoise_m * Mat3::Identity();
-  observation.body_yaw_rad =
-      wrap_angle(person.body_yaw_rad + kYawNoise_rad * camera.random.normal());
+  observation.body_yaw_rad = wrap_angle(
+      person.body_yaw_rad + kYawNoise_rad * camera.random.normal() + (camera.flipped ? kPi : 0.0));
   observation.body_yaw_variance_rad2 = kYawNoise_rad * kYawNoise_rad;
   return observation;
 }
@@ -110,6 +125,7 @@ std::optional<TargetObservation> take_image(LandmarkCamera& camera, const View& 
                                             const PersonState& person, double height_m,
                                             double stamp_s) {
   const LandmarkCameraParams& p = camera.params;
+  draw_flip(camera, stamp_s);
   if (camera.random.chance(p.dropout)) return std::nullopt;
   const Vec3 torso = view.T_camera_world * person.position_enu_m;
   if (torso.norm() > p.range_max_m || !any_body_point_seen(view, person, height_m))

@@ -21,6 +21,7 @@ struct LandmarkCameraParams {
   double correlated_share = 0.5;    ///< of the noise's variance that lasts from image to image
   double correlation_s = 0.3;       ///< time constant in which that part is forgotten
   double dropout = 0.0;             ///< share of images without a detection
+  double flip_share = 0.0;          ///< share of time in which left is taken for right, in spells
   double delay_s = 0.05;            ///< from the image to its delivery
   double range_max_m = 8.0;         ///< nobody is seen farther away
   double landmark_height_m = 1.75;  ///< joints are given for a person of this height
@@ -39,6 +40,8 @@ struct LandmarkCamera {
   Random random{1};
   double next_image_s = 0.0;                    ///< when one is due
   double last_image_s = -1e9;                   ///< when landmarks were seen last
+  bool flipped = false;                         ///< left and right are taken for each other
+  double flips_until_s = -1e9;                  ///< when that is drawn anew
   std::array<Noise, kLandmarkCount> lasting{};  ///< the part of the noise that lasts
   std::vector<TargetObservation> waiting;       ///< for their delivery; the oldest first
 };

@@ -31,15 +31,24 @@ void update_pace(Person& person, const WalkPoint& here, double dt_s) {
   person.pace += std::clamp(wanted - person.pace, -step, step);
 }
 
+// Swaying goes on with the walk: who stands holds still.
+double chest_yaw_rad(const Person& person) {
+  const PersonParams& p = person.params;
+  const double phase_rad = 2.0 * kPi * p.shoulder_sway_hz * person.walked_s;
+  const double sway_rad = p.shoulder_sway_rad * std::sin(phase_rad);
+  return wrap_angle(person.course_rad + p.shoulder_offset_rad + sway_rad);
+}
+
 void turn_shoulders(Person& person, double dt_s) {
   const double ahead_s = person.walked_s + person.params.shoulder_lead_s;
   const Vec2 velocity_m_s = person.walk.at(ahead_s).velocity_m_s;
   if (velocity_m_s.norm() < kHeadingSpeed_m_s) return;
   const double back_rad = walks_backwards(person.params, ahead_s) ? kPi : 0.0;
   const double step = person.params.yaw_rate_rad_s * dt_s;
-  double& yaw = person.state.body_yaw_rad;
-  yaw =
-      wrap_angle(yaw + std::clamp(wrap_angle(yaw_of(velocity_m_s) + back_rad - yaw), -step, step));
+  double& course = person.course_rad;
+  const double change_rad = wrap_angle(yaw_of(velocity_m_s) + back_rad - course);
+  course = wrap_angle(course + std::clamp(change_rad, -step, step));
+  person.state.body_yaw_rad = chest_yaw_rad(person);
 }
 
 }  // namespace
@@ -52,9 +61,10 @@ Person make_person(const PersonParams& params, Walk walk, double ground_z_m) {
   for (double t = 0.0; t < person.walk.duration_s(); t += 0.1) {
     const Vec2 velocity = person.walk.at(t).velocity_m_s;
     if (velocity.norm() < kHeadingSpeed_m_s) continue;
-    person.state.body_yaw_rad = yaw_of(velocity);
+    person.course_rad = yaw_of(velocity);
     break;
   }
+  person.state.body_yaw_rad = chest_yaw_rad(person);
   return person;
 }
 

@@ -24,10 +24,14 @@ struct BackwardSteps {
 /// How a person moves along a walk.
 struct PersonParams {
   double height_m = 1.75;
-  double acceleration_m_s2 = 3.0;  ///< of stops and starts
-  double shoulder_lead_s = 0.3;    ///< the chest points where the walk will be heading by then
-  double yaw_rate_rad_s = 5.0;     ///< greatest of the chest
-  double start_s = 1.5;            ///< the person stands until then
+  double acceleration_m_s2 = 3.0;    ///< of stops and starts
+  double shoulder_lead_s = 0.3;      ///< the chest points where the walk will be heading by then;
+                                     ///< negative: where it was heading so long ago
+  double shoulder_offset_rad = 0.0;  ///< and aside from there; π: they walk backwards
+  double shoulder_sway_rad = 0.0;    ///< to and fro about that, while they walk
+  double shoulder_sway_hz = 0.5;
+  double yaw_rate_rad_s = 5.0;  ///< greatest with which the chest follows the course
+  double start_s = 1.5;         ///< the person stands until then
   std::vector<StandStill> stops;
   std::vector<BackwardSteps> backward;
 };
@@ -37,8 +41,9 @@ struct Person {
   PersonParams params;
   Walk walk;
   PersonState state;
-  double walked_s = 0.0;  ///< time along the walk
-  double pace = 1.0;      ///< d walked_s / dt: below 1 while stopping and standing
+  double walked_s = 0.0;    ///< time along the walk
+  double pace = 1.0;        ///< d walked_s / dt: below 1 while stopping and standing
+  double course_rad = 0.0;  ///< where a chest without offset and sway would point
 };
 
 /// A person at the start of the walk. ground_z_m: where the feet are.

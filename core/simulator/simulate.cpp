@@ -20,8 +20,9 @@ bool fits(const World& world, const Vec3& p) {
 
 // Behind the person at the usual distance; else round the person outwards from there, until a place
 // is free and sees the person.
-Vec3 free_start(const World& world, const PersonState& person, double ground_z) {
-  const double behind = person.body_yaw_rad + kPi;
+Vec3 free_start(const World& world, const Person& who, double ground_z) {
+  const PersonState& person = who.state;
+  const double behind = who.course_rad + kPi;
   for (const double distance_m : {kStartDistance_m, 1.5, 2.5, 3.0})
     for (int k = 0; k < 24; ++k) {
       const int steps = (k + 1) / 2;  // to either side in turn
@@ -34,8 +35,7 @@ Vec3 free_start(const World& world, const PersonState& person, double ground_z) 
                               text_of(person.position_enu_m));
 }
 
-QuadrotorState place_vehicle(const Scenario& scenario, const World& world,
-                             const PersonState& person) {
+QuadrotorState place_vehicle(const Scenario& scenario, const World& world, const Person& person) {
   const auto seed = seed_of(scenario, 1);
   if (scenario.vehicle_enu_m) {
     const Vec3& p = *scenario.vehicle_enu_m;
@@ -45,7 +45,7 @@ QuadrotorState place_vehicle(const Scenario& scenario, const World& world,
     return make_quadrotor(scenario.quadrotor, p, scenario.vehicle_yaw_rad, seed);
   }
   const Vec3 p = free_start(world, person, world.min_m.z());
-  const double yaw = yaw_of(Vec2(person.position_enu_m.head<2>() - p.head<2>()));
+  const double yaw = yaw_of(Vec2(person.state.position_enu_m.head<2>() - p.head<2>()));
   return make_quadrotor(scenario.quadrotor, p, yaw, seed);
 }
 
@@ -127,7 +127,7 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
     throw std::invalid_argument("scenario: the target's start " +
                                 text_of(person.state.position_enu_m) +
                                 " is inside an obstacle or outside the bounds");
-  QuadrotorState quadrotor = place_vehicle(scenario, world, person.state);
+  QuadrotorState quadrotor = place_vehicle(scenario, world, person);
   if (scenario.parked) quadrotor.vehicle.position_enu_m.z() = 0.0;
   Autopilot autopilot = make_autopilot(scenario.autopilot, quadrotor.vehicle);
   SimulatorState state{scenario,

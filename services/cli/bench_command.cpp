@@ -120,21 +120,26 @@ std::string command_of(const Options& o) {
   return text;
 }
 
+// All are compared, but in experiments that stand apart.
+std::vector<std::string> usual_methods(const std::vector<Experiment>& chosen) {
+  std::vector<std::string> methods = {std::string(kOurs)};
+  for (const Experiment& e : chosen) {
+    if (!e.apart) return {std::begin(kMethods), std::end(kMethods)};
+    if (!e.methods.empty()) methods = e.methods;
+  }
+  return methods;
+}
+
 void complete(Options& o) {
   auto& chosen = o.request.experiments;
-  const auto is_apart = [](const Experiment& e) { return e.apart; };
   for (const auto& name : o.names) {
     if (name == "all")
       std::copy_if(experiments().begin(), experiments().end(), std::back_inserter(chosen),
-                   std::not_fn(is_apart));
+                   [](const Experiment& e) { return !e.apart; });
     else
       chosen.push_back(experiment_named(name));
   }
-  o.request.methods = o.methods;
-  if (o.methods.empty() && std::all_of(chosen.begin(), chosen.end(), is_apart))
-    o.request.methods = {std::string(kOurs)};
-  else if (o.methods.empty())
-    o.request.methods = {std::begin(kMethods), std::end(kMethods)};
+  o.request.methods = o.methods.empty() ? usual_methods(chosen) : o.methods;
   if (!o.request.scenario_files.empty())
     std::erase_if(o.request.experiments,
                   [](const Experiment& e) { return e.event == EventKind::kWalk; });
@@ -177,7 +182,7 @@ std::function<int()> prepare_bench(CLI::App& app) {
   BenchRequest& q = o->request;
   app.add_option("NAME", o->names,
                  "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
-                 "encounters, encounters_all_round")
+                 "chests, real_tracks_chest, encounters, encounters_all_round")
       ->capture_default_str();
   app.add_option("--runs", q.runs, "seeds a world (real_tracks: pedestrians) instead of the usual")
       ->check(CLI::Range(1, 100000));
@@ -185,7 +190,7 @@ std::function<int()> prepare_bench(CLI::App& app) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,
                  "names of deploy/params, or parameter files, parted by commas; missing: all, "
-                 "encounters: intention")
+                 "encounters: intention, chests: intention and filter")
       ->delimiter(',');
   app.add_option("--maps", o->maps, "known, depth")
       ->delimiter(',')

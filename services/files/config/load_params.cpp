@@ -53,7 +53,8 @@ void read_stage(const YAML::Node& section, std::string_view stage, const ParamRo
 }
 
 std::string range_of(const ParamRow& row) {
-  if (std::holds_alternative<bool*>(row.value)) return "true, false";
+  if (std::holds_alternative<bool*>(row.value))
+    return row.unit.find('|') == std::string_view::npos ? "true, false" : std::string(row.unit);
   return fmt::format("{:g} … {:g}", row.min, row.max);
 }
 

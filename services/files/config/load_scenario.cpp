@@ -128,6 +128,8 @@ Scenario load_scenario(const std::string& name_or_file, const ScenarioOverrides&
   if (!read.generator_has_seed) s.generator.seed = s.seed;
   if (read.encounter) stage_encounter(*read.encounter, s);
   if (read.track) s.target.track = load_track(*read.track, file);
+  // A chest that leads would give the recorded future away, which nobody recorded of it.
+  if (read.track && !read.has_shoulder_lead) s.target.person.shoulder_lead_s = 0.0;
   if (read.random_stops) draw_stops(*read.random_stops, s, s.target.person);
   if (!read.octree.empty()) {
     const double resolution_m = add_octree(locate(read.octree, file), !read.has_bounds, s.world);

@@ -96,7 +96,11 @@ void read_target(YamlReader& r, ScenarioFile& file) {
   r.number("acceleration_m_s2", person.acceleration_m_s2, 0.1, 20.0);
   r.number("corner_reach_m", target.corner_reach_m, 0.05, 5.0);
   r.number("height_m", person.height_m, 0.8, 2.5);
-  r.number("shoulder_lead_s", person.shoulder_lead_s, 0.0, 2.0);
+  file.has_shoulder_lead = r.has("shoulder_lead_s");
+  r.number("shoulder_lead_s", person.shoulder_lead_s, -2.0, 2.0);
+  r.number("shoulder_offset_rad", person.shoulder_offset_rad, -kPi, kPi);
+  r.number("shoulder_sway_rad", person.shoulder_sway_rad, 0.0, kPi);
+  r.number("shoulder_sway_hz", person.shoulder_sway_hz, 0.0, 3.0);
   r.number("start_s", person.start_s, 0.0, 600.0);
   read_stops(r, person);
   r.section("random_stops", [&](YamlReader& t) { read_random_stops(t, random_stops.emplace()); });
@@ -147,6 +151,7 @@ void read_sensors(YamlReader& r, Scenario& s) {
   r.number("landmark_range_m", landmarks.range_max_m, 0.5, 100.0);
   r.number("delay_s", landmarks.delay_s, 0.0, 2.0);
   r.number("dropout", landmarks.dropout, 0.0, 1.0);
+  r.number("flip_share", landmarks.flip_share, 0.0, 1.0);
   r.flag("fov_gated", landmarks.fov_gated);
   r.number("depth_noise_m", s.depth_camera.noise_m, 0.0, 1.0);
   r.number("depth_rate_hz", s.depth_camera.rate_hz, 1.0, 100.0);

@@ -31,6 +31,7 @@ struct ScenarioFile {
   std::string octree;
   std::optional<EncounterKind> encounter;  // stages world, walks and vehicle
   bool generator_has_seed = false, has_bounds = false, has_resolution = false;
+  bool has_shoulder_lead = false;
 };
 
 /// Faults go to the reader's.

@@ -30,6 +30,18 @@ std::vector<Condition> stress_conditions() {
   return all;
 }
 
+// Where the chest points while somebody walks; what the scenarios say is the first.
+std::vector<Condition> chest_conditions() {
+  return {{"as_fitted", {}},
+          {"backwards", {"target.shoulder_offset_rad=3.14159"}},
+          {"flipped", {"sensors.flip_share=1"}},
+          {"flips", {"sensors.flip_share=0.3"}},
+          {"aside_69", {"target.shoulder_offset_rad=1.204"}},
+          {"follows", {"target.shoulder_lead_s=-0.2"}},
+          {"sways", {"target.shoulder_sway_rad=0.698", "target.shoulder_sway_hz=0.5"}},
+          {"bias_23", {"target.shoulder_offset_rad=0.401"}}};
+}
+
 std::vector<Condition> encounter_conditions(bool all_round) {
   std::vector<Condition> all;
   for (const auto kind : kEncounterKindNames) {
@@ -99,6 +111,25 @@ const std::vector<Experiment>& experiments() {
        .conditions = stress_conditions(),
        .runs = 1,
        .quick_duration_s = 10.0},
+      {.name = "chests",
+       .summary = "sharp turns of people whose chest points elsewhere",
+       .event = EventKind::kTurn,
+       .worlds = {"dense_boxes"},
+       .speeds_m_s = {2.0},
+       .conditions = chest_conditions(),
+       .runs = 10,
+       .quick_runs = 2,
+       .apart = true,
+       .methods = {std::string(kOurs), "filter"}},
+      {.name = "real_tracks_chest",
+       .summary = "the same with a chest that leads by 0.3 s: it tells what was recorded",
+       .event = EventKind::kWalk,
+       .worlds = {"recorded_walk"},
+       .speeds_m_s = {},
+       .conditions = {{"", {"target.shoulder_lead_s=0.3"}}},
+       .runs = 0,
+       .quick_runs = 10,
+       .apart = true},
       encounters("encounters",
                  "people come near: head-on, turning back, stopping, crossing, in groups", false),
       encounters("encounters_all_round", "the same, with bystanders detected on every side", true)};

@@ -41,12 +41,13 @@ struct Experiment {
   int quick_runs = 1;  // of the short one
   double quick_duration_s = 60.0;
   std::vector<double> quick_speeds_m_s = {};  // of the short one; empty: all
-  bool apart = false;                         // not among "all"; flown by our method
+  bool apart = false;                         // not among "all"; flown by these methods
+  std::vector<std::string> methods = {};      // of one that is apart; empty: ours alone
   std::uint64_t first_seed = kFirstEvaluationSeed;
 };
 
-/// All of them: turning, deceleration, t_intersection, real_tracks, stress, encounters and
-/// encounters_all_round.
+/// All of them: turning, deceleration, t_intersection, real_tracks, stress, and those apart: chests,
+/// real_tracks_chest, encounters and encounters_all_round.
 const std::vector<Experiment>& experiments();
 
 /// Throws std::invalid_argument that lists the names.

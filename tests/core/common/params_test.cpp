@@ -63,6 +63,16 @@ TEST(Params, TextRoundTrips) {
   EXPECT_EQ(copy.enabled, example.enabled);
 }
 
+TEST(Params, AFlagMayHaveWordsOfItsOwn) {
+  bool by_network = true;
+  const ParamRows rows = {{"short_term", &by_network, "filter|network", 0, 0, "who tells"}};
+  EXPECT_EQ(text_of(rows[0]), "network");
+  EXPECT_EQ(set_param(rows, "short_term", "filter"), "");
+  EXPECT_FALSE(by_network);
+  EXPECT_EQ(text_of(rows[0]), "filter");
+  EXPECT_THAT(set_param(rows, "short_term", "true"), HasSubstr("not network or filter"));
+}
+
 TEST(Params, EachBadTextIsAFault) {
   Example example;
   EXPECT_THAT(set_param(rows(example), "length_m", "far"), HasSubstr("not a number"));

@@ -38,6 +38,24 @@ TEST(AssessIntention, GivesForwardTheHighestScoreWhenNothingSpeaksAgainstIt) {
   }
 }
 
+TEST(AssessIntention, MixesAllThatIsSaidOfAnIntentionAndReadsTheMarginsAnew) {
+  MotionCues aside = walking(1.5);
+  aside.body_turn_rad = 0.8;
+  const Surroundings s = open_surroundings();
+  IntentionAssessment seen = assess(aside, s);
+  IntentionAssessment faceless = assess(walking(1.5), s);
+  IntentionBelief& left = seen[Intention::kTurnLeft];
+  const IntentionBelief before = left, other = faceless[Intention::kTurnLeft];
+  left.probability = 0.9;
+  faceless[Intention::kTurnLeft].probability = 0.1;
+  mix(seen, faceless, 0.25);
+  EXPECT_NEAR(left.observation, 0.25 * before.observation + 0.75 * other.observation, 1e-12);
+  EXPECT_NEAR(left.score, 0.25 * before.score + 0.75 * other.score, 1e-12);
+  EXPECT_NEAR(left.probability, 0.3, 1e-12);
+  EXPECT_GT(before.score, 2.0 * other.score) << "there is something to mix";
+  EXPECT_EQ(seen.margins.left, left.score);
+}
+
 TEST(AssessIntention, FollowsThePapersFormulas) {
   PredictionParams p;
   p.k1_turn_potential = 2.0, p.k2_turn_observation = 3.0, p.k3_decelerate_potential = 0.5;

@@ -56,13 +56,15 @@ TEST(Predict, BeginsAllPathsWithWhatShowsAlready) {
   PredictionParams params;
   params.path_probability_min = 0.0;
   const PredictionResult* result = nullptr;
+  MotionMemory memory;  // before the last of them
   TargetState target;
   for (int i = 0; i <= 20; ++i) {  // the chest turns to the left, the way does not yet
     target = walker({0.06 * i, 0.0}, {1.5, 0.0}, 0.04 * i);
     target.body_yaw_rad = std::max(0.0, 0.12 * (i - 14));
+    memory = state.memory;
     result = &predict(state, target, map, params);
   }
-  const ShortTermMotion motion = short_term_motion(state.memory.history, target);
+  const MotionCues motion = observe_motion(memory, target, params);
   EXPECT_GT(yaw_of(motion.soon.velocity_m_s), 0.1);
   const PredictedPath* forward = path_of(result->prediction, Intention::kForward);
   ASSERT_NE(forward, nullptr);

@@ -70,6 +70,36 @@ TEST(LandmarkCamera, NoiseHasTheStatedSizeAndLasts) {
   EXPECT_NEAR(lagged_px / square_px, 0.5 * std::exp(-1.0 / 30.0 / 0.3), 0.1);
 }
 
+TEST(LandmarkCamera, TakesLeftForRightForAsLongAsItIsTold) {
+  const auto share_flipped = [](double flip_share, int& changes) {
+    auto params = noiseless();
+    params.flip_share = flip_share;
+    LandmarkCamera camera = make_landmark_camera(params, 2);
+    int flipped = 0, n = 1500;
+    bool before = false;
+    for (int i = 0; i < n; ++i) {
+      const auto vehicle = vehicle_at({0, 0, 1.5}, 0.0, 0.0, i / 30.0);
+      const auto seen = observe(camera, {}, vehicle, person_at(3, 0), 1.75);
+      EXPECT_TRUE(seen);
+      // The person looks away from the camera: their left shoulder is on the image's left.
+      const auto& marks = seen->landmarks;
+      const bool now = marks[kLeftShoulder].image_px.x() > marks[kRightShoulder].image_px.x();
+      EXPECT_EQ(now, marks[kLeftShoulder].body_m.x() > marks[kRightShoulder].body_m.x());
+      EXPECT_EQ(now, marks[4].image_px.x() < marks[1].image_px.x()) << "the eyes, too";
+      changes += now != before && i > 0;
+      before = now;
+      flipped += now;
+    }
+    return static_cast<double>(flipped) / n;
+  };
+  int changes = 0;
+  EXPECT_EQ(share_flipped(0.0, changes), 0.0);
+  EXPECT_EQ(share_flipped(1.0, changes), 1.0);
+  EXPECT_EQ(changes, 0);
+  EXPECT_NEAR(share_flipped(0.3, changes), 0.3, 0.1);
+  EXPECT_LT(changes, 100) << "in spells, not image by image";
+}
+
 TEST(LandmarkCamera, DeliversLaterWithTheStampOfTheImage) {
   auto params = noiseless();
   params.delay_s = 0.05;

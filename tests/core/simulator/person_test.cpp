@@ -78,6 +78,56 @@ TEST(Person, ShouldersTurnTheLeadBeforeThePath) {
   }
 }
 
+TEST(Person, AChestMayFollowThePath) {
+  PersonParams params;
+  params.shoulder_lead_s = -0.2;
+  Person person = walker({{0, 0}, {6, 0}, {6, 6}}, params);
+  double path_turns_s = 0.0;
+  while (person.state.body_yaw_rad < rad(45)) {
+    advance(person, kStep_s);
+    const Vec2 v = person.state.velocity_enu_m_s.head<2>();
+    if (v.norm() > 0.2 && yaw_of(v) > rad(45) && path_turns_s == 0.0)
+      path_turns_s = person.state.stamp_s;
+    ASSERT_LT(person.state.stamp_s, 10.0);
+  }
+  EXPECT_NEAR(person.state.stamp_s - path_turns_s, 0.2, 0.03);
+}
+
+TEST(Person, AChestMayPointAsideAllTheWay) {
+  PersonParams params;
+  params.shoulder_lead_s = 0.0;
+  params.shoulder_offset_rad = -2.8;
+  Person person = walker({{0, 0}, {3, 0}, {3, 3}}, params);
+  EXPECT_NEAR(person.state.body_yaw_rad, -2.8, 1e-9) << "before the first step, too";
+  while (person.walked_s < person.walk.duration_s() - 0.3) {
+    advance(person, kStep_s);
+    const Vec2 v = person.state.velocity_enu_m_s.head<2>();
+    if (v.norm() < 0.5) continue;
+    EXPECT_LT(std::abs(wrap_angle(person.state.body_yaw_rad - yaw_of(v) + 2.8)), rad(12));
+  }
+}
+
+TEST(Person, AChestMaySwayWhileItsPersonWalks) {
+  PersonParams params;
+  params.shoulder_sway_rad = 0.7;
+  params.shoulder_sway_hz = 0.5;
+  Person person = walker({{0, 0}, {12, 0}}, params);
+  double least = 0.0, most = 0.0, last_crossing_s = 0.0, half_period_s = 0.0;
+  while (person.state.stamp_s < 7.0) {
+    const double before_rad = person.state.body_yaw_rad;
+    advance(person, kStep_s);
+    const double yaw_rad = person.state.body_yaw_rad;
+    least = std::min(least, yaw_rad);
+    most = std::max(most, yaw_rad);
+    if (before_rad * yaw_rad >= 0.0) continue;
+    half_period_s = person.state.stamp_s - last_crossing_s;
+    last_crossing_s = person.state.stamp_s;
+  }
+  EXPECT_NEAR(least, -0.7, 0.01);
+  EXPECT_NEAR(most, 0.7, 0.01);
+  EXPECT_NEAR(half_period_s, 1.0, 0.05);
+}
+
 TEST(Person, VelocityIsTheDerivativeOfThePosition) {
   PersonParams params;
   params.stops = {{3.0, 1.0}};

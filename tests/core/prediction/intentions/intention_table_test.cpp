@@ -58,13 +58,14 @@ TEST(IntentionTable, ASixthIntentionIsAssessedByItsOwnHead) {
   const double p = few.intention[kSixth].probability, q = many.intention[kSixth].probability;
   EXPECT_LT(p, 0.06);
   EXPECT_GT(q, 0.5);
-  // Its odds against going on are those that its head says, and the others keep theirs.
+  // Its odds against going on are those that its head says, and the others keep theirs (nearly:
+  // heads with the chest and without it are mixed).
   EXPECT_NEAR(std::log(p / few.intention[Intention::kForward].probability), -3.0, 1e-9);
   EXPECT_NEAR(std::log(q / many.intention[Intention::kForward].probability), 2.0, 1e-9);
   const PredictionResult without = predicted(kIntentions);
   for (const IntentionRow& row : kIntentions)
     EXPECT_NEAR(many.intention[row.id].probability,
-                (1.0 - q) * without.intention[row.id].probability, 1e-12)
+                (1.0 - q) * without.intention[row.id].probability, 1e-6)
         << row.name;
 }
 

@@ -50,10 +50,13 @@ target:
   acceleration_m_s2: 2.5
   stops: [{at_s: 12.0, for_s: 2.0}]
   height_m: 1.8
-  shoulder_lead_s: 0.4
+  shoulder_lead_s: -0.2
+  shoulder_offset_rad: 3.1
+  shoulder_sway_rad: 0.7
+  shoulder_sway_hz: 0.6
 vehicle: {position_m: [-2, 0, 1.5], yaw_rad: 0.5}
 sensors:
-  {landmark_noise_px: 1.0, depth_noise_m: 0.03, delay_s: 0.06, dropout: 0.1, fov_gated: false}
+  {landmark_noise_px: 1.0, depth_noise_m: 0.03, delay_s: 0.06, dropout: 0.1, flip_share: 0.3, fov_gated: false}
 wind: {mean_m_s: [1, 2, 0], gust_m_s: 0.5}
 map: depth
 duration_s: 42
@@ -78,7 +81,11 @@ TEST_F(LoadScenario, ReadsEveryKey) {
   ASSERT_EQ(s.target.person.stops.size(), 1u);
   EXPECT_EQ(s.target.person.stops[0].for_s, 2.0);
   EXPECT_EQ(s.target.person.height_m, 1.8);
-  EXPECT_EQ(s.target.person.shoulder_lead_s, 0.4);
+  EXPECT_EQ(s.target.person.shoulder_lead_s, -0.2);
+  EXPECT_EQ(s.target.person.shoulder_offset_rad, 3.1);
+  EXPECT_EQ(s.target.person.shoulder_sway_rad, 0.7);
+  EXPECT_EQ(s.target.person.shoulder_sway_hz, 0.6);
+  EXPECT_EQ(s.landmark_camera.flip_share, 0.3);
   EXPECT_EQ(*s.vehicle_enu_m, Vec3(-2, 0, 1.5));
   EXPECT_EQ(s.vehicle_yaw_rad, 0.5);
   EXPECT_EQ(s.landmark_camera.noise_px, 1.0);

@@ -6,8 +6,10 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "services/files/config/load_params.hpp"
+#include "services/files/config/load_scenario.hpp"
 #include "services/offline/flight/fly.hpp"
 #include "tests/support/error_of.hpp"
 
@@ -157,6 +159,33 @@ TEST_F(Bench, FollowsEveryPedestrianOfATrackFileThatWalksLongEnough) {
   EXPECT_LT(e.fde_m, 0.4);
 }
 
+TEST_F(Bench, ChestsDifferFromEachOtherAndAreFlownOnTheSameSeeds) {
+  BenchRequest request = small_request();
+  request.experiments = {experiment_named("chests")};
+  request.methods = request.experiments[0].methods;
+  request.runs = 1;
+  const std::vector<FlightJob> jobs = list_jobs(request);
+  ASSERT_EQ(jobs.size(), 2 * request.experiments[0].conditions.size());
+  std::set<std::vector<std::string>> chests;
+  for (const FlightJob& job : jobs) {
+    EXPECT_EQ(job.overrides.seed, jobs[0].overrides.seed);
+    chests.insert(job.overrides.settings);
+  }
+  EXPECT_EQ(chests.size(), request.experiments[0].conditions.size());
+  EXPECT_EQ(jobs.back().cell.method, "filter");
+}
+
+TEST_F(Bench, OfRecordedPeopleTheChestDoesNotTellTheFutureUnlessTheExperimentSaysSo) {
+  BenchRequest request = small_request();
+  request.methods = {"intention"};
+  request.runs = 1;
+  for (const auto& [name, lead_s] : {std::pair{"real_tracks", 0.0}, {"real_tracks_chest", 0.3}}) {
+    request.experiments = {experiment_named(name)};
+    const FlightJob job = list_jobs(request).at(0);
+    EXPECT_EQ(load_scenario(job.world, job.overrides).target.person.shoulder_lead_s, lead_s);
+  }
+}
+
 TEST_F(Bench, EncountersAreStagedByKindAndSeedAndSummedUp) {
   BenchRequest request = small_request();
   request.experiments = {experiment_named("encounters")};
@@ -199,14 +228,14 @@ TEST_F(Bench, SaysWhatIsWrongBeforeAnythingFlies) {
         }
         return std::string();
       }(),
-      HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress, encounters, "
-                "encounters_all_round and all"));
+      HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress, chests, "
+                "real_tracks_chest, encounters, encounters_all_round and all"));
 }
 
 TEST(Experiments, AreEvaluatedOnSeedsThatNothingIsTunedOn) {
   EXPECT_GE(kFirstEvaluationSeed, 5000u);
   EXPECT_GE(kFirstEncounterSeed, 20001u);
-  EXPECT_EQ(experiments().size(), 7u);
+  EXPECT_EQ(experiments().size(), 9u);
 }
 
 }  // namespace
