@@ -27,8 +27,7 @@ void weigh(ShortTermTrust& trust, const ShortTermTrust::Said& said, const Vec2& 
 }  // namespace
 
 double ShortTermTrust::in_chest() const {
-  const double chest = of(Forecaster::kChest), track = of(Forecaster::kTrack);
-  return chest * chest / (chest * chest + track * track);
+  return of(Forecaster::kChest) / (of(Forecaster::kChest) + of(Forecaster::kTrack));
 }
 
 void judge(ShortTermTrust& trust, double stamp_s, const PlanarState& measured) {

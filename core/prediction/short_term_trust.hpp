@@ -22,14 +22,14 @@ using ByForecaster = std::array<T, kForecasterCount>;
 /// Exponential weights with a fixed share (Herbster and Warmuth 1998): a judgement multiplies each
 /// by exp(−loss), loss being in [0, 1] and 1 half a metre off, half a second ahead, and gives 0.001
 /// back to what is believed of strangers. So whatever comes, the weighted mean of the losses sums
-/// to at most 1.6 (L + 5.3 + 0.01 t), L being that of the best of the three alone and t the
-/// seconds, by the weights at the time of judgement; and 20 more whenever another becomes the best.
+/// to at most 1.6 (L + 3.7 + 0.01 t), L being that of the best of the three alone and t the
+/// seconds, by the weights at the time of judgement; and 17 more whenever another becomes the best.
 /// Owned by the caller of predict().
 struct ShortTermTrust {
   static constexpr double kAhead_s = 0.5;  ///< how far ahead forecasts are judged
   static constexpr double kEvery_s = 0.1;
   static constexpr int kKept = 8;
-  static constexpr ByForecaster<double> kStrangers = {0.99, 0.005, 0.005};
+  static constexpr ByForecaster<double> kStrangers = {0.95, 0.025, 0.025};
   struct Said {
     double stamp_s = 0.0;
     ByForecaster<Vec2> position_m{};  ///< at stamp_s + kAhead_s

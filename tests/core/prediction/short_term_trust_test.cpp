@@ -86,7 +86,7 @@ TEST(ShortTermTrust, LosesAsLittleAsItPromises) {
       }
     }
     const double best = *std::min_element(alone.begin(), alone.end());
-    EXPECT_LT(mixed, 1.6 * (best + 5.3 + 0.01 * kSeconds)) << seed;
+    EXPECT_LT(mixed, 1.6 * (best + 3.7 + 0.01 * kSeconds)) << seed;
     EXPECT_LT(mixed, 1.1 * best) << "and in truth it is hardly worse than the best alone";
   }
 }
