@@ -71,9 +71,8 @@ PlanReason attempt_all(PlanningState& s, const PlanTask& task,
   if (reason != PlanReason::kTooNearTarget && !first &&
       attempt(s, task, first, firmer(normal), clock) == PlanReason::kOk)
     return PlanReason::kOk;
-  return attempt(s, task, first, softer(firmer(normal)), clock) == PlanReason::kOk
-             ? PlanReason::kOk
-             : reason;
+  return attempt(s, task, first, softer(firmer(normal)), clock) == PlanReason::kOk ? PlanReason::kOk
+                                                                                   : reason;
 }
 
 void aim(PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {

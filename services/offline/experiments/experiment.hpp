@@ -46,8 +46,8 @@ struct Experiment {
   std::uint64_t first_seed = kFirstEvaluationSeed;
 };
 
-/// All of them: turning, deceleration, t_intersection, real_tracks, stress, and those apart: chests,
-/// real_tracks_chest, encounters and encounters_all_round.
+/// All of them: turning, deceleration, t_intersection, real_tracks, stress, and those apart:
+/// chests, real_tracks_chest, encounters and encounters_all_round.
 const std::vector<Experiment>& experiments();
 
 /// Throws std::invalid_argument that lists the names.

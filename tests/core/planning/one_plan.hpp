@@ -62,8 +62,7 @@ struct OnePlan {
     update_belief(state.belief, input.target, nullptr, params.horizon);
     expect_bodies(input, &state.belief, params.body, state.courses);
     return {input, params, params.limits,
-            choose_start(state.flown_result().trajectory, input, params),
-            lost};
+            choose_start(state.flown_result().trajectory, input, params), lost};
   }
 };
 
