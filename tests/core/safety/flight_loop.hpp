@@ -141,7 +141,8 @@ struct FlightLoop {
   /// With a planner that lets the vehicle stand.
   GateResult run_with_plans(double for_s) {
     for (int i = 0; i < static_cast<int>(for_s / kTick_s + 0.5); ++i) {
-      const auto plan = still_plan(++last_plan, stamp_now_s() + kTick_s, vehicle.position_enu_m);
+      const auto plan = still_plan(++last_plan, stamp_now_s() + kTick_s,
+                                   displaced.value_or(vehicle.position_enu_m));
       tick(i % 5 == 0 ? &plan : nullptr);
     }
     return result;
