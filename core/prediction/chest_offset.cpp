@@ -7,8 +7,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kMemory_s = 4.0;
-constexpr double kLongestPause_s = 0.2;
+constexpr double kOffsetMemory_s = 4.0;
+constexpr double kLongestSilence_s = 0.2;
 constexpr double kJump_rad = 2.0;  // from one measurement to the next: nobody turns so fast
 constexpr double kWalking_m_s = 0.4;
 constexpr double kChestAge_s = 0.4;    // a chest's lead, and a filter's lag
@@ -29,7 +29,7 @@ double unflipped_yaw_rad(ChestOffset& offset, const TargetState& target) {
   if (!std::isfinite(yaw_rad)) return yaw_rad;
   const double unseen_s = target.last_measurement_s - offset.seen_s;
   const bool jumped = std::abs(wrap_angle(yaw_rad - offset.yaw_rad)) > kJump_rad;
-  if (jumped && unseen_s >= 0.0 && unseen_s < kLongestPause_s) offset.flipped = !offset.flipped;
+  if (jumped && unseen_s >= 0.0 && unseen_s < kLongestSilence_s) offset.flipped = !offset.flipped;
   offset.yaw_rad = yaw_rad;
   offset.seen_s = target.last_measurement_s;
   return offset.flipped ? wrap_angle(yaw_rad + kPi) : yaw_rad;
@@ -47,9 +47,9 @@ void follow(ChestOffset& offset, const MotionHistory& history, const TargetState
   if (!walked || !known_then || !std::isfinite(then.body_yaw_rad)) return;
   const double course_rad = yaw_of(now_m_s);
   const double turned_rad = wrap_angle(course_rad - yaw_of(then.measured.velocity_m_s));
-  const double seen_s = std::min(dt_s, kLongestPause_s);
+  const double seen_s = std::min(dt_s, kLongestSilence_s);
   const double weight = std::exp(-turned_rad * turned_rad / (kStraight_rad * kStraight_rad));
-  offset.mean_s *= std::exp(-weight * seen_s / kMemory_s);
+  offset.mean_s *= std::exp(-weight * seen_s / kOffsetMemory_s);
   offset.mean_s += weight * seen_s * direction_of(wrap_angle(then.body_yaw_rad - course_rad));
 }
 
