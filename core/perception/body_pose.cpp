@@ -107,6 +107,11 @@ Mat3 skew(const Vec3& v) {
   return s;
 }
 
+// The axes come near the camera's.
+double alignment_information(const PerceptionParams& params) {
+  return 1.0 / (params.alignment_noise_rad * params.alignment_noise_rad);
+}
+
 // One pose and what its landmarks say of it.
 struct Refiner {
   const Pairs& pairs;
@@ -131,7 +136,7 @@ struct Refiner {
     PoseStep right = PoseStep::Zero();
     for (const Pair& p : pairs) accumulate(p, width, normal, right);
     const Eigen::AngleAxisd turned(R);
-    const double information = 1.0 / (params.alignment_noise_rad * params.alignment_noise_rad);
+    const double information = alignment_information(params);
     normal.topLeftCorner<3, 3>().diagonal().array() += information;
     right.head<3>() -= information * turned.angle() * turned.axis();
     const PoseStep delta = normal.ldlt().solve(right);
@@ -172,8 +177,7 @@ Mat6 information_of(const Refiner& refiner, const std::array<Landmark, kLandmark
     refiner.accumulate({x.head<2>() / x.z(), scale * landmarks[i].body_m, i}, kStartSigmas, normal,
                        unused);
   }
-  const double alignment_rad = refiner.params.alignment_noise_rad;
-  normal.topLeftCorner<3, 3>().diagonal().array() += 1.0 / (alignment_rad * alignment_rad);
+  normal.topLeftCorner<3, 3>().diagonal().array() += alignment_information(refiner.params);
   return normal;
 }
 

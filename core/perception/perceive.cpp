@@ -54,8 +54,8 @@ bool measure_landmarks(const TargetObservation& observation, const VehicleHistor
   TorsoMeasurement& m = result.measured;
   m.position_enu_m = T_world_camera * torso_m;
   const double noise = body->noise_scale * body->noise_scale;
-  const Vec3 sight_m = T_world_camera.linear() * torso_m;
   const Mat3 to_world = T_world_camera.linear();
+  const Vec3 sight_m = to_world * torso_m;
   m.covariance_m2 = noise * position_noise(sight_m, farther > 0.0, params) +
                     to_world * body->cut_off_covariance_m2 * to_world.transpose();
   const auto seen_m = [&](TorsoJoint joint) -> Vec3 {

@@ -216,6 +216,10 @@ void latch_hover(GateState& s, const Rung& rung, const SafetyParams& p) {
   }
 }
 
+bool is_of_plan(SafetyMode mode) {
+  return mode == SafetyMode::kTrack || mode == SafetyMode::kCoast;
+}
+
 void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyParams& p,
                    GateResult& r) {
   // Not yet at rest, and nothing says where to hold: take the speed out first.
@@ -223,9 +227,9 @@ void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyPar
   if (rung.mode == SafetyMode::kHover && !s.hover_enu_m) rung.mode = SafetyMode::kBrake;
   r.heartbeat = rung.mode != SafetyMode::kSilent;
   s.heartbeat_since_s = r.heartbeat ? std::min(s.heartbeat_since_s, in.now_s) : 1e18;
-  const bool flies = rung.mode == SafetyMode::kTrack || rung.mode == SafetyMode::kCoast;
   if (r.heartbeat && in.autopilot.offboard)
-    r.setpoint = flies ? sample(s.flown, in, p.response_s) : stand_still(s, in.stamp_now_s);
+    r.setpoint =
+        is_of_plan(rung.mode) ? sample(s.flown, in, p.response_s) : stand_still(s, in.stamp_now_s);
   else if (r.heartbeat)
     rung.reason = SafetyReason::kNotOffboard;
   s.commanded_enu_m_s =
@@ -257,8 +261,7 @@ GateState::GateState() {
 }
 
 bool flies_plan(const GateResult& result) {
-  return result.setpoint &&
-         (result.mode == SafetyMode::kTrack || result.mode == SafetyMode::kCoast);
+  return result.setpoint && is_of_plan(result.mode);
 }
 
 GateResult gate(GateState& state, const GateInput& in, const SafetyParams& params) {

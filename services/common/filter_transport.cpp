@@ -49,7 +49,6 @@ class FilterTransport : public rtps::ChainingTransport {
   // A peer on this machine may name other addresses of it alone, which the library would not use if
   // they are not among ours; over the loopback one it is there as well.
   bool transform_remote_locator(const Locator_t& remote, Locator_t& result) const override {
-    constexpr char kLoopbackAddress[] = "127.0.0.1";
     if (remote.kind == LOCATOR_KIND_UDPv4 && kind() == LOCATOR_KIND_UDPv4 &&
         low_level_transport_->is_local_locator(remote)) {
       Locator_t loopback = remote;

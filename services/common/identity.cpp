@@ -19,8 +19,11 @@ namespace fs = std::filesystem;
 constexpr const char* kAuthority = "identity_ca.cert.pem";
 constexpr const char* kCertificate = "cert.pem";
 constexpr const char* kKey = "key.pem";
-constexpr const char* kFiles[] = {
-    kAuthority, kCertificate, kKey, "permissions_ca.cert.pem", "governance.p7s", "permissions.p7s"};
+constexpr const char* kPermissionsAuthority = "permissions_ca.cert.pem";
+constexpr const char* kGovernance = "governance.p7s";
+constexpr const char* kPermissions = "permissions.p7s";
+constexpr const char* kFiles[] = {kAuthority,  kCertificate, kKey, kPermissionsAuthority,
+                                  kGovernance, kPermissions};
 
 using Certificate = std::unique_ptr<X509, decltype(&X509_free)>;
 using Key = std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)>;
@@ -63,6 +66,12 @@ std::string fault_of_dates(const X509& certificate, const fs::path& path) {
 
 using Input = std::unique_ptr<BIO, decltype(&BIO_free)>;
 
+std::string text_in(BIO& memory) {
+  char* text = nullptr;
+  const long size = BIO_get_mem_data(&memory, &text);
+  return {text, static_cast<std::size_t>(size)};
+}
+
 // What the document says, if the authority signed it; else nothing.
 std::string signed_text(const fs::path& path, X509& authority) {
   const Input file(BIO_new_file(path.c_str(), "r"), BIO_free);
@@ -76,18 +85,14 @@ std::string signed_text(const fs::path& path, X509& authority) {
   if (!document || PKCS7_verify(document.get(), nullptr, store.get(), detached.get(), out.get(),
                                 PKCS7_TEXT) != 1)
     return "";
-  char* text = nullptr;
-  const long size = BIO_get_mem_data(out.get(), &text);
-  return {text, static_cast<std::size_t>(size)};
+  return text_in(*out);
 }
 
 // As permissions name it: CN=name,O=owner.
 std::string subject_of(const X509& certificate) {
   const Input out(BIO_new(BIO_s_mem()), BIO_free);
   X509_NAME_print_ex(out.get(), X509_get_subject_name(&certificate), 0, XN_FLAG_RFC2253);
-  char* text = nullptr;
-  const long size = BIO_get_mem_data(out.get(), &text);
-  return {text, static_cast<std::size_t>(size)};
+  return text_in(*out);
 }
 
 }  // namespace
@@ -95,14 +100,14 @@ std::string subject_of(const X509& certificate) {
 std::string refusal_of_identity(const std::string& folder_name) {
   const fs::path folder = folder_name;
   const Certificate own = read_certificate(folder / kCertificate);
-  const Certificate authority = read_certificate(folder / "permissions_ca.cert.pem");
+  const Certificate authority = read_certificate(folder / kPermissionsAuthority);
   if (!own || !authority) return "permissions_ca.cert.pem or cert.pem is no certificate";
-  for (const char* name : {"governance.p7s", "permissions.p7s"})
+  for (const char* name : {kGovernance, kPermissions})
     if (signed_text(folder / name, *authority).empty())
       return fmt::format("{} was not signed by permissions_ca.cert.pem", (folder / name).string());
   const std::string subject = subject_of(*own);
-  if (signed_text(folder / "permissions.p7s", *authority).find(subject) == std::string::npos)
-    return fmt::format("{} has no grant for {}", (folder / "permissions.p7s").string(), subject);
+  if (signed_text(folder / kPermissions, *authority).find(subject) == std::string::npos)
+    return fmt::format("{} has no grant for {}", (folder / kPermissions).string(), subject);
   return fmt::format("the permissions in {} are not for this domain, or not valid now",
                      folder_name);
 }
@@ -136,9 +141,9 @@ std::vector<std::pair<std::string, std::string>> identity_properties(const std::
           {identity + "identity_certificate", file(kCertificate)},
           {identity + "private_key", file(kKey)},
           {"dds.sec.access.plugin", "builtin.Access-Permissions"},
-          {access + "permissions_ca", file("permissions_ca.cert.pem")},
-          {access + "governance", file("governance.p7s")},
-          {access + "permissions", file("permissions.p7s")},
+          {access + "permissions_ca", file(kPermissionsAuthority)},
+          {access + "governance", file(kGovernance)},
+          {access + "permissions", file(kPermissions)},
           {"dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC"}};
 }
 

@@ -14,8 +14,6 @@
 namespace foretrack {
 namespace {
 
-constexpr char kLoopbackAddress[] = "127.0.0.1";
-
 struct Interface {
   std::string name, address;
 };

@@ -9,6 +9,7 @@ namespace foretrack {
 
 /// What --interface says; empty: what the profile says, else the loopback interface.
 inline constexpr char kLoopback[] = "lo";
+inline constexpr char kLoopbackAddress[] = "127.0.0.1";
 inline constexpr char kAnyInterface[] = "any";
 
 struct Interfaces {

@@ -46,9 +46,9 @@ std::vector<std::string> chosen_interfaces(const NodeOptions& options,
   return find_interfaces(kLoopback).addresses;
 }
 
-bool reaches_nobody(const NodeOptions& options, const dds::TransportConfigQos& transport) {
+bool reaches_nobody(const NodeOptions& options, const dds::TransportConfigQos& transport,
+                    const Interfaces& chosen) {
   if (options.interface == kAnyInterface) return false;
-  const Interfaces chosen{chosen_interfaces(options, transport)};
   return chosen.addresses.empty() ? stay_on_this_machine(transport.user_transports)
                                   : chosen.this_machine_only();
 }
@@ -76,12 +76,12 @@ ParticipantSetup set_up_participant(const NodeOptions& options,
   add_map_limit(setup.qos);
   take_identity(setup.qos, options.security);
   auto& transport = setup.qos.transport();
-  setup.this_machine_only = reaches_nobody(options, transport);
+  const Interfaces chosen{chosen_interfaces(options, transport)};
+  setup.this_machine_only = reaches_nobody(options, transport, chosen);
   setup.secured =
       PropertyPolicyHelper::find_property(setup.qos.properties(), "dds.sec.auth.plugin") != nullptr;
   transport.user_transports = filtered_transports(
-      transport,
-      {std::move(filter), setup.this_machine_only, chosen_interfaces(options, transport)});
+      transport, {std::move(filter), setup.this_machine_only, chosen.addresses});
   transport.use_builtin_transports = false;
   setup.qos.name((options.names.vehicle + '/' + options.service).c_str());
   return setup;

@@ -216,6 +216,8 @@ void add_height_band(const Vec3& p, double height_m, double band_m, double weigh
 void add_gap(const Vec3& p, double ball_radius_m, const Pillar& pillar, double wanted_m,
              double weight, PointPenalty& sum) {
   const Vec3 d = p - pillar.foot;
+  const double touched_m = wanted_m + ball_radius_m + pillar.radius_m;
+  if (d.head<2>().squaredNorm() > touched_m * touched_m) return;
   const double from_axis_m = std::sqrt(d.head<2>().squaredNorm() + kDistanceFloor_m2);
   const double beside_m = from_axis_m - pillar.radius_m;
   const double middle_m = d.z() - 0.5 * pillar.height_m;

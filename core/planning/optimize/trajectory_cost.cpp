@@ -113,13 +113,6 @@ void TrajectoryCost::add_sample(const PreparedSample& prepared, const Vec3& p,
                   s.weight * params_.height_weight, sum);
 }
 
-void TrajectoryCost::add_body(const Vec3& p, const BodySample& body, PointPenalty& sum) const {
-  const double touched_m = problem_->gap_wanted_m + problem_->hull_radius_m + body.pillar.radius_m;
-  if ((p - body.pillar.foot).head<2>().squaredNorm() > touched_m * touched_m) return;
-  add_gap(p, problem_->hull_radius_m, body.pillar, problem_->gap_wanted_m,
-          body.weight * params_.gap_weight, sum);
-}
-
 /// The target's samples and the bodies of one time share one position.
 double TrajectoryCost::add_points() {
   double cost = 0.0;
@@ -139,7 +132,9 @@ double TrajectoryCost::add_points() {
     const double end_s = time_s + kSameTime_s;
     for (; sample != samples_.end() && sample->sample->time_s <= end_s; ++sample)
       add_sample(*sample, p, sum);
-    for (; body != problem_->bodies.end() && body->time_s <= end_s; ++body) add_body(p, *body, sum);
+    for (; body != problem_->bodies.end() && body->time_s <= end_s; ++body)
+      add_gap(p, problem_->hull_radius_m, body->pillar, problem_->gap_wanted_m,
+              body->weight * params_.gap_weight, sum);
     if (sum.value == 0.0) continue;
     cost += sum.value;
     shifts[at.piece] += add_position_gradient(minco_, at, sum.gradient, gradient_);
