@@ -91,10 +91,11 @@ PlanReason check_candidate(PlanningState& s, const PlanTask& task) {
   return diagnostics.check.reason;
 }
 
-CheckResult check(const PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {
+CheckResult check(const PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory,
+                  Passable passable) {
   trajectory.start_s = task.start.time_s;
-  const CheckInputs inputs{*task.input.map, task.start.state, task.start.yaw, &s.courses,
-                           &task.params.body};
+  const CheckInputs inputs{*task.input.map, task.start.state,  task.start.yaw,
+                           &s.courses,      &task.params.body, passable};
   return check_trajectory(trajectory, inputs, task.limits, task.params.check);
 }
 

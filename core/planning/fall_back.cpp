@@ -38,7 +38,8 @@ const PlanResult& keep(PlanningState& s, double t_s, PlanReason reason, const St
 std::optional<BodyGaps> gaps_of_rest(const PlanningState& s, const PlanTask& task,
                                      const PlannedTrajectory& flown, double t_s) {
   if (!task.start.on_flown) return {};
-  if (!rest_is_clear(*task.input.map, flown, t_s, kept_clearance_m(task))) return {};
+  if (!rest_is_clear(*task.input.map, flown, t_s, kept_clearance_m(task), s.flown_through))
+    return {};
   return measure_gaps(flown, t_s, s.courses, task.limits, task.params.body);
 }
 
@@ -57,6 +58,12 @@ const PlanResult& brake(PlanningState& s, const PlanTask& task, PlanReason reaso
   braking.status = PlanStatus::kHold;
   braking.reason = reason;
   return s.flown_result();
+}
+
+void take_evasion(PlanningState& s, const CheckResult& evasion) {
+  std::swap(s.next_result().trajectory, s.evading);
+  s.next_result().diagnostics.check = evasion;
+  forget_way(s);
 }
 
 // Whether the shortest stop is clear of everybody who moves. Works in state.evading.
@@ -93,15 +100,22 @@ const PlanResult& fall_back(PlanningState& s, const PlanTask& task, PlanReason r
   const bool only_too_near = candidate.reason == PlanReason::kTooNearTarget;
   const bool takes_candidate = only_too_near && candidate.gaps.cost < cost_to_beat;
   if (takes_candidate) cost_to_beat = kBetter * candidate.gaps.cost;
-  const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat);
-  clock.lap(PlanStage::kCheck);
-  if (evasion) {
-    std::swap(s.next_result().trajectory, s.evading);
-    s.next_result().diagnostics.check = *evasion;
-    forget_way(s);
+  double least_m = takes_candidate ? candidate.gaps.least_m : kept ? kept->least_m : -kInfinity;
+  std::optional<Passable> evades;
+  for (const Passable passable : {Passable::kSeenFree, Passable::kNotOccupied}) {
+    const bool unseen = passable == Passable::kNotOccupied;
+    if (unseen && least_m >= task.params.body.unseen_gap_m) break;
+    const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat, passable);
+    if (!evasion) continue;
+    take_evasion(s, *evasion);
+    evades = passable;
+    cost_to_beat = kBetter * evasion->gaps.cost;
+    least_m = evasion->gaps.least_m;
   }
-  if (evasion || takes_candidate) {
+  clock.lap(PlanStage::kCheck);
+  if (evades || takes_candidate) {
     publish(s, task, 0.0, clock);
+    s.flown_through = evades.value_or(Passable::kSeenFree);
     s.flown_result().trajectory.reason = reason;
     return s.flown_result();
   }

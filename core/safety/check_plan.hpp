@@ -35,7 +35,8 @@ struct Situation {
 /// Judges a plan that has pieces. start_s and stamp_s are on the clock of stamps.
 /// Too near an obstacle, to somebody or to a bound: unless it comes from there and goes away. Of
 /// bodies, a plan nearer than the floor is good enough if neither what is flown nor a stop is
-/// farther away from it. Bounded cost.
+/// farther away from it. Into space that nobody has seen it may lead where all these come nearer to
+/// somebody than the floor, and it does not. Bounded cost.
 PlanFault check_plan(const PlannedTrajectory& plan, const Situation& now,
                      const PlanCheckParams& params);
 

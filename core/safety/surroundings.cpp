@@ -64,15 +64,15 @@ double Course::speed(double t_s) const {
 }
 
 double time_at_obstacle(const Course& course, const GridMap& map, double obstacle_m,
-                        double acceleration_m_s2, double until_s) {
+                        double acceleration_m_s2, double until_s, Passable passable) {
   const double step_m = 0.25 * map.resolution_m, diagonal_m = 1.7321 * map.resolution_m;
   const double end_s = std::min(until_s, course.duration_s());
   const Vec3 start = course.position(0.0);
-  const double start_m = map.unfree_distance_m(start);
+  const double start_m = map.clearance_m(start, passable);
   bool leaving = start_m < obstacle_m;
   for (double t_s = 0.0;;) {
     const Vec3 p = course.position(t_s);
-    const double clear_m = map.unfree_distance_m(p);
+    const double clear_m = map.clearance_m(p, passable);
     leaving = leaving && clear_m < obstacle_m && (p - start).norm() <= kLeave_m;
     const double least_m = leaving ? start_m - 0.5 * map.resolution_m : obstacle_m;
     const bool enters = start_m > 0.0 && clear_m <= 0.0;

@@ -128,12 +128,12 @@ void Checker::check_clearance() {
   const double half_cell_m = 0.5 * map.resolution_m, cell_diagonal_m = 1.7321 * map.resolution_m;
   const double step_m = 0.25 * map.resolution_m;
   const Vec3 start = trajectory.pieces.front().position(0.0);
-  const double start_clearance_m = map.unfree_distance_m(start);
+  const double start_clearance_m = map.clearance_m(start, inputs.passable);
   bool escaping = start_clearance_m < params.vehicle_radius_m, may_be_occupied = escaping;
   result.min_clearance_m = start_clearance_m;
   for (double t = 0.0;;) {
     const Vec3 p = trajectory.position(t);
-    const double clearance_m = map.unfree_distance_m(p);
+    const double clearance_m = map.clearance_m(p, inputs.passable);
     result.min_clearance_m = std::min(result.min_clearance_m, clearance_m);
     escaping = escaping && clearance_m < params.vehicle_radius_m;
     may_be_occupied = may_be_occupied && map.is_occupied(p);
