@@ -60,10 +60,24 @@ const PlanResult& brake(PlanningState& s, const PlanTask& task, PlanReason reaso
   return s.flown_result();
 }
 
-void take_evasion(PlanningState& s, const CheckResult& evasion) {
-  std::swap(s.next_result().trajectory, s.evading);
-  s.next_result().diagnostics.check = evasion;
-  forget_way(s);
+// Makes the best way out the next candidate, if it costs less: through seen space, or, where
+// whatever else there is comes very near somebody, through what nobody has seen.
+std::optional<Passable> evade_if_better(PlanningState& s, const PlanTask& task, double cost_to_beat,
+                                        double least_gap_m) {
+  std::optional<Passable> taken;
+  for (const Passable passable : {Passable::kSeenFree, Passable::kNotOccupied}) {
+    const bool unseen = passable == Passable::kNotOccupied;
+    if (unseen && least_gap_m >= task.params.body.unseen_gap_m) break;
+    const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat, passable);
+    if (!evasion) continue;
+    std::swap(s.next_result().trajectory, s.evading);
+    s.next_result().diagnostics.check = *evasion;
+    forget_way(s);
+    taken = passable;
+    cost_to_beat = kBetter * evasion->gaps.cost;
+    least_gap_m = evasion->gaps.least_m;
+  }
+  return taken;
 }
 
 // Whether the shortest stop is clear of everybody who moves. Works in state.evading.
@@ -100,18 +114,10 @@ const PlanResult& fall_back(PlanningState& s, const PlanTask& task, PlanReason r
   const bool only_too_near = candidate.reason == PlanReason::kTooNearTarget;
   const bool takes_candidate = only_too_near && candidate.gaps.cost < cost_to_beat;
   if (takes_candidate) cost_to_beat = kBetter * candidate.gaps.cost;
-  double least_m = takes_candidate ? candidate.gaps.least_m : kept ? kept->least_m : -kInfinity;
-  std::optional<Passable> evades;
-  for (const Passable passable : {Passable::kSeenFree, Passable::kNotOccupied}) {
-    const bool unseen = passable == Passable::kNotOccupied;
-    if (unseen && least_m >= task.params.body.unseen_gap_m) break;
-    const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat, passable);
-    if (!evasion) continue;
-    take_evasion(s, *evasion);
-    evades = passable;
-    cost_to_beat = kBetter * evasion->gaps.cost;
-    least_m = evasion->gaps.least_m;
-  }
+  const double least_m = takes_candidate ? candidate.gaps.least_m
+                         : kept          ? kept->least_m
+                                         : -kInfinity;
+  const std::optional<Passable> evades = evade_if_better(s, task, cost_to_beat, least_m);
   clock.lap(PlanStage::kCheck);
   if (evades || takes_candidate) {
     publish(s, task, 0.0, clock);
