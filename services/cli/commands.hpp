@@ -18,11 +18,11 @@ struct Command {
 /// Those that need no DDS: fly, bench, perceive, params, scenarios.
 std::vector<Command> flight_commands();
 
-/// The services of the vehicle and the simulator. Only in a build with DDS.
+/// The services of the vehicle, what checks its file, and the simulator. Only in a build with DDS.
 std::vector<Command> service_commands();
 
-/// What an operator uses: up, demo, order, monitor, topics, doctor, station, record, replay. Only
-/// in a build with DDS.
+/// What an operator uses: up, demo, order, monitor, topics, doctor, station, record, replay,
+/// discovery-server, security. Only in a build with DDS.
 std::vector<Command> operator_commands();
 
 std::function<int()> prepare_fly(CLI::App& app);
@@ -39,5 +39,8 @@ std::function<int()> prepare_doctor(CLI::App& app);
 std::function<int()> prepare_station(CLI::App& app);
 std::function<int()> prepare_record(CLI::App& app);
 std::function<int()> prepare_replay(CLI::App& app);
+std::function<int()> prepare_check(CLI::App& app);
+std::function<int()> prepare_discovery_server(CLI::App& app);
+std::function<int()> prepare_security(CLI::App& app);
 
 }  // namespace foretrack

@@ -58,7 +58,9 @@ void add_domain(CLI::App& app, StationArguments& arguments) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
-  add_network_options(app, arguments.options.node.interface, arguments.options.node.security);
+  auto& node = arguments.options.node;
+  add_network_options(app, node.interface, node.security);
+  add_meeting_options(app, node.peers, node.discovery_server);
 }
 
 void add_server_options(CLI::App& app, StationArguments& arguments) {
@@ -120,7 +122,8 @@ int run_record(const RecordArguments& arguments) {
   set_up_logging("warning");
   Stop stop;
   SignalStop signals(stop);
-  const StationOptions options = complete(arguments.shared);
+  StationOptions options = complete(arguments.shared);
+  options.node.service = "record";
   station::recover_recordings(options.recorder.folder);
   station::Recorder recorder(options.recorder);
   const auto node = std::make_shared<Node>(options.node);

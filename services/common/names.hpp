@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "services/common/roles.hpp"
+
 namespace foretrack {
 
 enum class Scope {
@@ -18,6 +20,7 @@ struct TopicInfo {
   std::string_view name;
   Scope scope;
   const char* profile;     // of qos/profiles.xml
+  Roles writers;           // who may write it where DDS-Security is on; all that belong may read
   bool versioned = false;  // PX4 appends the message's version, unless it is 0
 };
 

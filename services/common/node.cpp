@@ -53,16 +53,22 @@ Node::Node(const NodeOptions& options)
       dds_(std::make_unique<Dds>(*this)),
       wire_(std::make_shared<WireFilter>([this](const std::string& text) { report(text); })) {
   validate_or_throw(options_.names);
+  if (!options_.security.empty())
+    options_.security = identity_folder(options_.security, options_.service);
   auto* factory = dds::DomainParticipantFactory::get_instance();
   const auto setup = set_up_participant(options_, wire_);
   this_machine_only_ = setup.this_machine_only;
   secured_ = setup.secured;
+  if (secured_)
+    role_watch_ = std::make_unique<RoleWatch>(
+        [this](const std::string& why) { refuse_peer(wire::Fault::kRole, "a peer: " + why); });
   security_complaint();  // what somebody else was told
   dds_->participant = factory->create_participant(options_.domain_id, setup.qos, &dds_->watch,
                                                   dds::StatusMask::none());
   if (!dds_->participant) throw std::runtime_error(no_participant(options_));
   if (const char* unsecured = why_unsecured(); *unsecured)
     spdlog::warn("{}: {}", options_.service, unsecured);
+  if (const auto soon = soon_over(options_.security); !soon.empty()) report(soon);
   dds_->publisher =
       not_null(dds_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
   dds_->subscriber =
@@ -78,6 +84,7 @@ const char* Node::why_unsecured() const {
 }
 
 Node::~Node() {
+  role_watch_.reset();
   run_bounded(kCleanupLimit_s, [this] { take_down(*dds_); });
 }
 

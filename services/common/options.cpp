@@ -38,8 +38,26 @@ void add_network_options(CLI::App& app, std::string& interface, std::string& sec
       ->envname("FORETRACK_SECURITY");
 }
 
+void add_meeting_options(CLI::App& app, std::vector<std::string>& peers,
+                         std::string& discovery_server) {
+  app.add_option("--peer", peers,
+                 "HOST or HOST:PORT where others are, if multicast does not reach them; several "
+                 "with a ; between them. Uses the network that leads there")
+      ->envname("ROS_STATIC_PEERS")
+      ->expected(1)
+      ->delimiter(';')
+      ->take_all();
+  app.add_option("--discovery-server", discovery_server,
+                 "HOST:PORT of a Fast DDS discovery server, where all meet instead of by multicast")
+      ->envname("ROS_DISCOVERY_SERVER");
+}
+
 void add_options(CLI::App& app, ServiceOptions& options) {
   auto& names = options.names;
+  app.add_option(
+         "--config", options.config_file,
+         "File of the vehicle (YAML): its keys are these options, for what is not given here")
+      ->check(CLI::ExistingFile);
   app.add_option("--vehicle", names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
       ->capture_default_str();
   app.add_option("--domain", options.domain_id, "DDS domain")
@@ -47,6 +65,7 @@ void add_options(CLI::App& app, ServiceOptions& options) {
       ->check(CLI::Range(0, kHighestDomain))
       ->capture_default_str();
   add_network_options(app, options.interface, options.security);
+  add_meeting_options(app, options.peers, options.discovery_server);
   app.add_option("--params", options.params_file, "Parameter file (YAML)")
       ->check(CLI::ExistingFile);
   app.add_flag("--print-params", options.print_params, "Print all parameters and leave");
@@ -91,6 +110,8 @@ std::vector<std::string> arguments_of(const ServiceOptions& o) {
   };
   add(!o.interface.empty(), {"--interface", o.interface});
   add(!o.security.empty(), {"--security", o.security});
+  for (const auto& peer : o.peers) add(true, {"--peer", peer});
+  add(!o.discovery_server.empty(), {"--discovery-server", o.discovery_server});
   add(!o.params_file.empty(), {"--params", o.params_file});
   add(!o.names.px4_namespace.empty(), {"--px4-namespace", o.names.px4_namespace});
   add(o.use_sim_time, {"--use-sim-time"});

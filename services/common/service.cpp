@@ -11,8 +11,15 @@ constexpr double kHealthPeriod_s = 1.0;
 NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
   const auto ros =
       options.ros_iron_or_later ? RosDistribution::kIronOrLater : RosDistribution::kHumble;
-  return {name, options.names,     options.domain_id, options.use_sim_time,
-          ros,  options.interface, options.security};
+  return {name,
+          options.names,
+          options.domain_id,
+          options.use_sim_time,
+          ros,
+          options.interface,
+          options.security,
+          options.peers,
+          options.discovery_server};
 }
 
 }  // namespace
