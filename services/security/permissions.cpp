@@ -71,7 +71,7 @@ std::string governance_text() {
 <enable_liveliness_protection>true</enable_liveliness_protection>
 <enable_read_access_control>true</enable_read_access_control>
 <enable_write_access_control>true</enable_write_access_control>
-<metadata_protection_kind>ENCRYPT</metadata_protection_kind>
+<metadata_protection_kind>ENCRYPT_WITH_ORIGIN_AUTHENTICATION</metadata_protection_kind>
 <data_protection_kind>NONE</data_protection_kind>
 </topic_rule></topic_access_rules></domain_rule></domain_access_rules></dds>
 )",

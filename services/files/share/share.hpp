@@ -9,8 +9,7 @@
 namespace foretrack {
 
 /// Folders that may hold shipped files, first to last: $FORETRACK_SHARE, <executable>/../share/
-/// foretrack, or, where that is missing, the source tree that the program was built from. Only
-/// those that exist.
+/// foretrack, the source tree that the program was built from. Only those that exist.
 std::vector<std::filesystem::path> share_folders();
 
 /// The first shipped file of that relative name ("deploy/scenarios/t_intersection.yaml",
