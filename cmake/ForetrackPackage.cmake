@@ -18,7 +18,7 @@ install(FILES deploy/systemd/foretrack-gate@.service deploy/systemd/foretrack-st
 install(DIRECTORY deploy/systemd/secured DESTINATION ${share}/systemd COMPONENT program)
 install(DIRECTORY idl DESTINATION ${share} COMPONENT core FILES_MATCHING PATTERN "*.idl"
   PATTERN "README.md")
-install(DIRECTORY services/ground_station/web/dist/ DESTINATION ${share}/page COMPONENT station)
+install(DIRECTORY services/ground_station/web/dist/ DESTINATION ${share}/page COMPONENT station OPTIONAL)
 install(FILES deploy/systemd/foretrack-station.service DESTINATION ${units} COMPONENT station)
 
 # Of each package: who may copy it, and what is new.

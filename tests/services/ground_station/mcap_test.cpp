@@ -6,6 +6,7 @@
 #include "services/ground_station/mcap/reader.hpp"
 #include "services/ground_station/recording/recorder.hpp"
 #include "services/ground_station/recording/recover.hpp"
+#include "tests/fuzz/mutate.hpp"
 #include "tests/support/folder.hpp"
 
 namespace foretrack::station::mcap {
@@ -148,6 +149,23 @@ TEST(Recordings, AnUnfinishedFileIsGivenItsEnd) {
   EXPECT_EQ(count(reader), before);
   EXPECT_TRUE(reader.complete());
   EXPECT_EQ(reader.metadata().at("versions").at("foretrack"), "1");
+}
+
+TEST(Mcap, WhateverIsInAFileItIsReadToItsEndOrToWhereItBreaks) {
+  const testing::Folder folder;
+  const auto path = folder.path / "changed.mcap";
+  const Bytes good = recording(12);
+  testing::Mutator mutator(1);
+  for (int k = 0; k < 1000; ++k) {
+    write_file(path, mutator.mutate(good));
+    try {
+      Reader reader(path);
+      while (reader.next()) {
+      }
+    } catch (const std::runtime_error&) {
+      // no MCAP any more
+    }
+  }
 }
 
 }  // namespace
