@@ -31,7 +31,7 @@ class Faults {
 };
 
 /// The document. Throws std::invalid_argument, naming file and line, if it cannot be read or
-/// parsed.
+/// parsed, is not the only one in its file, or has a key twice in one mapping.
 YAML::Node load_yaml(const std::filesystem::path& file);
 
 /// One mapping of a document. A key that is missing leaves the value as it is; a value of another

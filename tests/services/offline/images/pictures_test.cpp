@@ -131,7 +131,7 @@ TEST_P(Pictures, FrameAfterFrameThePersonStaysWhereTheyStand) {
 INSTANTIATE_TEST_SUITE_P(EveryModel, Pictures, ::testing::Values(0, 1, 2));
 
 TEST(PersonFinder, RefusesACalibrationOfAnotherSize) {
-  PersonFinder finder({}, {}, Calibration{});
+  PersonFinder finder({}, {}, CameraWithLens{});
   EXPECT_THAT(trouble_of([&] {
                 finder.look({0.0, "a.png", plain(320, 240, 0)});
               }),
