@@ -48,7 +48,7 @@ TEST(FaultsOfMatrix, SayTheNumbersThatNoCameraHas) {
 TEST(FaultOfCamera, SaysAViewThatNoLensHas) {
   EXPECT_EQ(fault_of(camera(520.0)), "");
   EXPECT_NEAR(deg(camera(520.0).horizontal_view_rad()), 63.2, 0.1);
-  EXPECT_THAT(fault_of(camera(52000.0)), HasSubstr("see 0.7051° from side to side"));
+  EXPECT_THAT(fault_of(camera(52000.0)), HasSubstr("see 0.7052° from side to side"));
   EXPECT_THAT(fault_of(camera(10.0)), HasSubstr("3° to 170° expected"));
   // A fisheye sees more than half of all.
   EXPECT_EQ(fault_of(camera(180.0, "equidistant", {0.0, 0.0, 0.0, 0.0})), "");
