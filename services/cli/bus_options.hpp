@@ -9,16 +9,15 @@
 
 namespace foretrack {
 
-/// --vehicle, --interface, --security and --domain (default $ROS_DOMAIN_ID), PX4's namespace.
+/// What things are called (add_names_options), --interface, --security and --domain (default
+/// $ROS_DOMAIN_ID).
 inline void add_bus_options(CLI::App& app, NodeOptions& options) {
-  app.add_option("--vehicle", options.names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
-      ->capture_default_str();
+  add_names_options(app, options.names);
   app.add_option("--domain", options.domain_id, "DDS domain")
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
   add_network_options(app, options.interface, options.security);
-  app.add_option("--px4-namespace", options.names.px4_namespace, "px4_<n> if PX4 has a namespace");
 }
 
 }  // namespace foretrack

@@ -10,6 +10,7 @@
 
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
+#include "services/cli/vehicle_section.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
 #include "services/launch/launcher.hpp"
@@ -30,6 +31,12 @@ int run_until_stopped(const ServiceOptions& options, Run run) {
   return 0;
 }
 
+// The words of the command line come before those of the file.
+ServiceOptions with_file(ServiceOptions options) {
+  if (!options.params_file.empty()) take_vehicle_section(load_vehicle(options.params_file), options);
+  return options;
+}
+
 TrackerParams params_of(const ServiceOptions& options) {
   return options.params_file.empty() ? TrackerParams{} : load_params(options.params_file);
 }
@@ -46,7 +53,8 @@ std::function<int()> prepare_onboard_service(CLI::App& app, const OnboardService
   return [options, service] {
     if (options->print_params) return print_params(*options, service.params);
     const TrackerParams params = params_of(*options);
-    return run_until_stopped(*options, [&](Stop& stop) { service.run(*options, params, stop); });
+    const ServiceOptions whole = with_file(*options);
+    return run_until_stopped(whole, [&](Stop& stop) { service.run(whole, params, stop); });
   };
 }
 
@@ -74,8 +82,9 @@ std::function<int()> prepare_stages(CLI::App& app) {
   return [o] {
     if (o->service.print_params) return print_params(o->service, "");
     const TrackerParams params = params_of(o->service);
-    return run_until_stopped(o->service,
-                             [&](Stop& stop) { run_stages(o->service, params, o->mapping, stop); });
+    const ServiceOptions whole = with_file(o->service);
+    return run_until_stopped(whole,
+                             [&](Stop& stop) { run_stages(whole, params, o->mapping, stop); });
   };
 }
 
@@ -99,7 +108,8 @@ std::function<int()> prepare_onboard(CLI::App& app) {
   const auto o = add_stage_options(app);
   return [o] {
     if (o->service.print_params) return print_params(o->service, "");
-    params_of(o->service);  // throws what a user must correct
+    params_of(o->service);  // throw what a user must correct
+    with_file(o->service);
     const auto process = [&](const char* name, std::vector<std::string> words) {
       words.insert(words.begin(), name);
       return ProcessSpec{.name = name, .arguments = std::move(words), .always = true};
@@ -143,7 +153,9 @@ std::function<int()> prepare_simulator(CLI::App& app) {
     o->simulator.person = person_of(scenario);
     o->simulator.bystanders = bystanders_of(scenario);
     return run_until_stopped(
-        o->service, [&](Stop& stop) { run_simulator(o->service, scenario, o->simulator, stop); });
+        o->service, [&](Stop& stop) {
+          run_simulator(with_file(o->service), scenario, o->simulator, stop);
+        });
   };
 }
 

@@ -17,7 +17,7 @@ struct TargetObservation {
 };
 struct DepthImage {
   using Type = sensor_msgs::msg::Image;
-  static constexpr TopicInfo info{"camera/depth/image", Scope::kVehicle, "image"};
+  static constexpr TopicInfo info{"camera/depth/image", Scope::kVehicle, "image", true};
 };
 struct DepthCameraInfo {
   using Type = sensor_msgs::msg::CameraInfo;
@@ -25,7 +25,11 @@ struct DepthCameraInfo {
 };
 struct ColorImage {
   using Type = sensor_msgs::msg::Image;
-  static constexpr TopicInfo info{"camera/color/image", Scope::kVehicle, "image"};
+  static constexpr TopicInfo info{"camera/color/image", Scope::kVehicle, "image", true};
+};
+struct ColorImageCompressed {
+  using Type = sensor_msgs::msg::CompressedImage;
+  static constexpr TopicInfo info{"camera/color/image/compressed", Scope::kVehicle, "image", true};
 };
 struct ColorCameraInfo {
   using Type = sensor_msgs::msg::CameraInfo;
@@ -33,7 +37,7 @@ struct ColorCameraInfo {
 };
 struct Odometry {
   using Type = nav_msgs::msg::Odometry;
-  static constexpr TopicInfo info{"odometry", Scope::kVehicle, "state"};
+  static constexpr TopicInfo info{"odometry", Scope::kVehicle, "state", true};
 };
 struct Clock {
   using Type = rosgraph_msgs::msg::Clock;
@@ -135,7 +139,7 @@ struct Px4VehicleOdometry {
 };
 struct Px4VehicleStatus {
   using Type = px4_msgs::msg::VehicleStatus;
-  static constexpr TopicInfo info{"fmu/out/vehicle_status", Scope::kPx4, "sensor", true};
+  static constexpr TopicInfo info{"fmu/out/vehicle_status", Scope::kPx4, "sensor"};
 };
 struct Px4VehicleLocalPosition {
   using Type = px4_msgs::msg::VehicleLocalPosition;
@@ -161,6 +165,10 @@ struct Px4ManualControlSetpoint {
   using Type = px4_msgs::msg::ManualControlSetpoint;
   static constexpr TopicInfo info{"fmu/out/manual_control_setpoint", Scope::kPx4, "sensor"};
 };
+struct Px4TimesyncStatus {
+  using Type = px4_msgs::msg::TimesyncStatus;
+  static constexpr TopicInfo info{"fmu/out/timesync_status", Scope::kPx4, "sensor"};
+};
 struct Px4OffboardControlMode {
   using Type = px4_msgs::msg::OffboardControlMode;
   static constexpr TopicInfo info{"fmu/in/offboard_control_mode", Scope::kPx4, "state"};
@@ -176,13 +184,14 @@ struct Px4VehicleCommand {
 
 /// All of them, for the tests and the monitor.
 using All =
-    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorCameraInfo,
+    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage,
+               ColorImageCompressed, ColorCameraInfo,
                Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
                TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
                BodySightings, MovingBodies, PredictionPath, PlanPath, Markers, Transforms,
                StaticTransforms, Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry,
                Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
-               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
+               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
                Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

@@ -14,6 +14,8 @@
 namespace foretrack {
 namespace {
 
+constexpr std::string_view kVehicleSection = "vehicle";
+
 using Stages = std::vector<std::pair<std::string_view, ParamRows>>;
 
 std::string names_of(const Stages& stages) {
@@ -89,6 +91,7 @@ TrackerParams load_params(const std::string& file) {
   if (document.IsMap())
     for (const auto& section : document) {
       const std::string name = section.first.Scalar();
+      if (name == kVehicleSection) continue;  // load_vehicle reads it
       const auto stage = std::find_if(stages.begin(), stages.end(),
                                       [&](const auto& entry) { return entry.first == name; });
       if (stage == stages.end())

@@ -160,6 +160,24 @@ void YamlReader::text(std::string_view key, std::string& value) {
   value = node.Scalar();
 }
 
+void YamlReader::texts(std::string_view key, std::vector<std::string>& values) {
+  if (!has(key)) return;
+  const YAML::Node node = take(key);
+  if (node.IsScalar()) {
+    values = {node.Scalar()};
+    return;
+  }
+  if (!node.IsSequence())
+    return fault(key, fmt::format("is {}, expected a list of texts", kind_of(node)));
+  values.clear();
+  for (const YAML::Node& item : node) {
+    if (item.IsScalar())
+      values.push_back(item.Scalar());
+    else
+      faults_.add(item.Mark(), fmt::format("{}: holds {}, expected texts", path_of(key), kind_of(item)));
+  }
+}
+
 void YamlReader::choice(std::string_view key, std::span<const std::string_view> choices,
                         int& value) {
   if (!has(key)) return;

@@ -47,6 +47,8 @@ class YamlReader {
   void seed(std::string_view key, std::uint64_t& value);
   void flag(std::string_view key, bool& value);
   void text(std::string_view key, std::string& value);
+  /// A list of texts, or one alone.
+  void texts(std::string_view key, std::vector<std::string>& values);
   /// The index of the word in `choices`.
   void choice(std::string_view key, std::span<const std::string_view> choices, int& value);
   void point(std::string_view key, Vec2& value);
