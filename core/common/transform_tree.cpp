@@ -26,12 +26,15 @@ Pose between(const Pose& a, const Pose& b, double share) {
 }
 
 std::string quoted(const std::string& name) {
-  return "'" + name.substr(0, 64) + "'";
+  std::string text = "'";
+  text.append(name, 0, 64);
+  return text += "'";
 }
 
 std::string seconds_text(double duration_s) {
-  const std::string text = std::to_string(duration_s);
-  return text.substr(0, text.find('.') + 3) + " s";
+  std::string text = std::to_string(duration_s);
+  text.resize(text.find('.') + 3);
+  return text += " s";
 }
 
 }  // namespace

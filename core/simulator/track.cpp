@@ -102,7 +102,8 @@ int whole(double value, const char* name, const FilePlace& place) {
 
 std::string rounded(double value) {
   std::string text = std::to_string(value);
-  return text.substr(0, text.find('.') + (value < 10.0 ? 3 : 2));
+  text.resize(text.find('.') + (value < 10.0 ? 3 : 2));
+  return text;
 }
 
 double step_m(const Track& track, std::size_t i) {

@@ -19,7 +19,7 @@ std::vector<std::pair<std::string_view, ParamRows>> stages_of(TrackerParams& par
 /// std::invalid_argument that lists those that ship.
 std::string find_params(const std::string& name_or_file);
 
-/// Defaults with the file's values. Throws std::invalid_argument that names every fault (unknown
+/// Defaults with the file's values; its section "vehicle" is load_vehicle's. Throws std::invalid_argument that names every fault (unknown
 /// section or key, bad text, NaN, out of range) with file and line.
 TrackerParams load_params(const std::string& file);
 
