@@ -6,6 +6,8 @@
 #include "diagnostic_msgs/msg/DiagnosticArray.h"
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/TargetState.h"
+#include "nav_msgs/msg/Odometry.h"
+#include "services/common/raw.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
 #include "services/common/writer.hpp"
@@ -256,6 +258,30 @@ TEST(Writer, KeepsVehiclesApart) {
   Reader<topics::Diagnostics> shared_in(receiver);
   ASSERT_TRUE(eventually([&] { return shared_out.readers() == 1; }));
   EXPECT_EQ(for_uav2.readers(), 0);
+}
+
+// mavros and many drivers are best effort.
+TEST(ReaderWriter, BestEffortDriversAreHeardBesideReliableOnes) {
+  Node node(node_options("reader"));
+  Reader<topics::Odometry> reader(node);
+  RawPeer peer("rt/uav1/odometry", "nav_msgs::msg::dds_::Odometry_");
+  nav_msgs::msg::Odometry odometry;
+  odometry.child_frame_id("base_link");
+  odometry.header().stamp().sec(7);
+  auto bytes = to_cdr(type_ops<nav_msgs::msg::Odometry>(), &odometry);
+  RawType::Bytes raw(bytes.begin(), bytes.end());
+  auto* best_effort = peer.add_writer(dds::BEST_EFFORT_RELIABILITY_QOS);
+  EXPECT_TRUE(eventually([&] {
+    best_effort->write(&raw);
+    return reader.take_newest() != nullptr;
+  }));
+  Writer<topics::Odometry> reliable(node);
+  EXPECT_TRUE(eventually([&] {
+    reliable.sample().header().stamp().sec(8);
+    reliable.write();
+    const auto* got = reader.take_newest();
+    return got && got->header().stamp().sec() == 8;
+  }));
 }
 
 }  // namespace
