@@ -8,8 +8,8 @@ namespace foretrack {
 namespace {
 
 constexpr double kMostFocal_px = 1e5;
-constexpr double kMostSkew = 1e-3;    // of the focal length
-constexpr double kMostAspect = 3.0;   // of a pixel
+constexpr double kMostSkew = 1e-3;   // of the focal length
+constexpr double kMostAspect = 3.0;  // of a pixel
 constexpr double kLeastView_deg = 3.0, kMostView_deg = 170.0, kMostFisheyeView_deg = 280.0;
 
 template <class... Words>
@@ -50,8 +50,8 @@ std::vector<std::string> faults_of_matrix(int width_px, int height_px,
     if (!std::isfinite(value)) return {words(value, " is in it", kExpected)};
   if (k == std::array<double, 9>{}) return {"all zeros: this camera is not calibrated"};
   if (k[6] > 1.0 && k[7] > 1.0 && k[2] == 0.0 && k[5] == 0.0)
-    return {words("cx ", k[6], " and cy ", k[7], " are in its last row: it is transposed",
-                  kExpected)};
+    return {
+        words("cx ", k[6], " and cy ", k[7], " are in its last row: it is transposed", kExpected)};
   if (k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
     faults.push_back(words("its last row is ", k[6], " ", k[7], " ", k[8], kExpected));
   for (const int i : {0, 4})

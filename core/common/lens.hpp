@@ -28,11 +28,12 @@ struct Lens {
   bool distorts() const;
 };
 
-/// The lens of a distortion model by its name in ROS: plumb_bob (4 or 5 coefficients; 8 are those of
-/// a rational_polynomial, as OpenCV has it), rational_polynomial (8; 12 or 14 if those of the thin
-/// prism and the tilt are 0), equidistant or fisheye (4). An empty name or "none" is a lens that does
-/// not distort; its coefficients, if there are any, must be 0. Throws std::invalid_argument that
-/// says what was expected: another name, another number of coefficients, or one that is not finite.
+/// The lens of a distortion model by its name in ROS: plumb_bob (4 or 5 coefficients; 8 are those
+/// of a rational_polynomial, as OpenCV has it), rational_polynomial (8; 12 or 14 if those of the
+/// thin prism and the tilt are 0), equidistant or fisheye (4). An empty name or "none" is a lens
+/// that does not distort; its coefficients, if there are any, must be 0. Throws
+/// std::invalid_argument that says what was expected: another name, another number of coefficients,
+/// or one that is not finite.
 Lens lens_of(std::string_view model, std::span<const double> coefficients);
 
 /// Where an image point would be without the lens' distortion, by Newton's method. None where the

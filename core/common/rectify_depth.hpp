@@ -9,8 +9,8 @@
 
 namespace foretrack {
 
-/// Of each pixel of the straight image, row by row, the pixel of the distorted one in which the same
-/// ray ends; −1: it ends outside.
+/// Of each pixel of the straight image, row by row, the pixel of the distorted one in which the
+/// same ray ends; −1: it ends outside.
 using PixelMap = std::vector<std::int32_t>;
 
 /// The map of a camera. Cost: 2 µs a pixel; once a camera.

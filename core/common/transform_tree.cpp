@@ -84,9 +84,9 @@ bool TransformTree::climb(const std::string& from, const std::string& until, dou
     found.moves |= it->second.moves;
     Pose T = history.back().T_parent_child;
     if (it->second.moves && stamp_s < history.back().stamp_s) {
-      const auto next = std::lower_bound(
-          history.begin(), history.end(), stamp_s,
-          [](const Stamped& s, double at_s) { return s.stamp_s < at_s; });
+      const auto next =
+          std::lower_bound(history.begin(), history.end(), stamp_s,
+                           [](const Stamped& s, double at_s) { return s.stamp_s < at_s; });
       if (next == history.begin() && next->stamp_s > stamp_s) {
         found.status = Status::kNotThen;
         found.why = "the transform of " + quoted(it->first) + " begins " +
@@ -115,8 +115,8 @@ TransformTree::Found TransformTree::find(const std::string& to, const std::strin
   if (!climb(from, to, stamp_s, up, found)) return found;
   if (up.back().frame != to && !climb(to, from, stamp_s, down, found)) return found;
   for (const Link& link : up) {
-    if (link.frame != to &&
-        std::none_of(down.begin(), down.end(), [&](const Link& l) { return l.frame == link.frame; }))
+    if (link.frame != to && std::none_of(down.begin(), down.end(),
+                                         [&](const Link& l) { return l.frame == link.frame; }))
       continue;
     found.status = Status::kFound;
     found.T_to_from = link.T_frame_from;

@@ -72,7 +72,8 @@ struct Header {
 
 // The lines before the nodes: `id`, `res`, comments, `data`.
 Header read_header(std::istream& file, const std::string& path) {
-  constexpr std::string_view kBinary = "# Octomap OcTree binary file", kFull = "# Octomap OcTree file";
+  constexpr std::string_view kBinary = "# Octomap OcTree binary file",
+                             kFull = "# Octomap OcTree file";
   std::string line, id;
   double resolution_m = 0.0;
   if (!std::getline(file, line) || (line != kBinary && line != kFull))

@@ -124,8 +124,7 @@ std::vector<double> speeds_of(const std::vector<Track>& tracks) {
 
 bool too_fast(const std::vector<double>& speeds) {
   const auto first = std::upper_bound(speeds.begin(), speeds.end(), kFastestPerson_m_s);
-  return static_cast<double>(speeds.end() - first) >
-         kMostFast * static_cast<double>(speeds.size());
+  return static_cast<double>(speeds.end() - first) > kMostFast * static_cast<double>(speeds.size());
 }
 
 /// Rows that may be read one way or another.
@@ -213,20 +212,20 @@ std::vector<Track> parse_tracks(std::string_view text, TrackFormat format, doubl
     }
     const auto row = numbers_of(line.substr(0, line.find('#')), place);
     if (row.empty()) continue;
-    if (row.size() != columns.count)
-      place.fail("found " + std::to_string(row.size()) + " columns");
-    rows.rows.push_back({place.line, whole(row[columns.frame], "frame", place),
-                         whole(row[columns.id], "id", place), {row[columns.x], row[columns.y]}});
+    if (row.size() != columns.count) place.fail("found " + std::to_string(row.size()) + " columns");
+    rows.rows.push_back({place.line,
+                         whole(row[columns.frame], "frame", place),
+                         whole(row[columns.id], "id", place),
+                         {row[columns.x], row[columns.y]}});
   }
   if (rows.rows.empty()) place.fail("no rows");
   if (rate_hz == 0.0) rate_hz = said_hz > 0.0 ? said_hz : kUsualRate_hz;
   auto tracks = rows.tracks(rate_hz, place);
   if (const auto speeds = speeds_of(tracks); too_fast(speeds))
-    throw std::invalid_argument(file_name + ": people would move at " +
-                                rounded(speeds[speeds.size() / 2]) + " m/s, the fastest at " +
-                                rounded(speeds.back()) + "; nobody is faster than " +
-                                rounded(kFastestPerson_m_s) + " m/s: " +
-                                likely_cause(rows, speeds, rate_hz, place));
+    throw std::invalid_argument(
+        file_name + ": people would move at " + rounded(speeds[speeds.size() / 2]) +
+        " m/s, the fastest at " + rounded(speeds.back()) + "; nobody is faster than " +
+        rounded(kFastestPerson_m_s) + " m/s: " + likely_cause(rows, speeds, rate_hz, place));
   return tracks;
 }
 
@@ -236,11 +235,11 @@ const Track& track_of(const std::vector<Track>& tracks, int pedestrian,
     if (track.pedestrian != pedestrian) continue;
     for (std::size_t i = 1; i < track.points.size(); ++i)
       if (step_m_s(track, i) > kFastestPerson_m_s)
-        throw std::invalid_argument(
-            file_name + ":" + std::to_string(track.lines[i]) + ": pedestrian " +
-            std::to_string(pedestrian) + " jumps " + rounded(step_m(track, i)) + " m there, at " +
-            rounded(step_m_s(track, i)) + " m/s; nobody is faster than " +
-            rounded(kFastestPerson_m_s) + " m/s");
+        throw std::invalid_argument(file_name + ":" + std::to_string(track.lines[i]) +
+                                    ": pedestrian " + std::to_string(pedestrian) + " jumps " +
+                                    rounded(step_m(track, i)) + " m there, at " +
+                                    rounded(step_m_s(track, i)) + " m/s; nobody is faster than " +
+                                    rounded(kFastestPerson_m_s) + " m/s");
     return track;
   }
   throw std::invalid_argument(file_name + ": no pedestrian " + std::to_string(pedestrian) +

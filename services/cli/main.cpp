@@ -43,9 +43,9 @@ void check_command(std::string_view word, const std::vector<foretrack::Command>&
     least = letters;
     nearest = command.name;
   }
-  throw std::invalid_argument(fmt::format(
-      "there is no command '{}'; the nearest is '{}', `foretrack --help` lists all", word,
-      nearest));
+  throw std::invalid_argument(
+      fmt::format("there is no command '{}'; the nearest is '{}', `foretrack --help` lists all",
+                  word, nearest));
 }
 
 int run(int argc, char** argv) {

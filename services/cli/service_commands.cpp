@@ -33,7 +33,8 @@ int run_until_stopped(const ServiceOptions& options, Run run) {
 
 // The words of the command line come before those of the file.
 ServiceOptions with_file(ServiceOptions options) {
-  if (!options.params_file.empty()) take_vehicle_section(load_vehicle(options.params_file), options);
+  if (!options.params_file.empty())
+    take_vehicle_section(load_vehicle(options.params_file), options);
   return options;
 }
 
@@ -152,10 +153,9 @@ std::function<int()> prepare_simulator(CLI::App& app) {
     const Scenario scenario = load_scenario(o->scenario, o->overrides);
     o->simulator.person = person_of(scenario);
     o->simulator.bystanders = bystanders_of(scenario);
-    return run_until_stopped(
-        o->service, [&](Stop& stop) {
-          run_simulator(with_file(o->service), scenario, o->simulator, stop);
-        });
+    return run_until_stopped(o->service, [&](Stop& stop) {
+      run_simulator(with_file(o->service), scenario, o->simulator, stop);
+    });
   };
 }
 

@@ -119,8 +119,8 @@ void ReaderCore::make_reader(bool best_effort) {
   const auto mask = dds::StatusMask::subscription_matched()
                     << dds::StatusMask::requested_incompatible_qos()
                     << dds::StatusMask::sample_lost();
-  dds->reader = of_node.subscriber->create_datareader(of_node.topic(stats.topic, ops_), qos,
-                                                      dds.get(), mask);
+  dds->reader =
+      of_node.subscriber->create_datareader(of_node.topic(stats.topic, ops_), qos, dds.get(), mask);
   if (!dds->reader) refused(stats);
   dds->reader->get_statuscondition().set_enabled_statuses(dds::StatusMask::data_available());
 }

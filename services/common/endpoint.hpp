@@ -52,9 +52,9 @@ class WriterCore {
   std::unique_ptr<Dds> dds;
 };
 
-/// Of a topic that drivers write (TopicInfo::any_writer) a reader is reliable, as lost pieces of big
-/// images are asked for again, until a best-effort writer offers it less: from then on it is best
-/// effort itself, and hears both kinds.
+/// Of a topic that drivers write (TopicInfo::any_writer) a reader is reliable, as lost pieces of
+/// big images are asked for again, until a best-effort writer offers it less: from then on it is
+/// best effort itself, and hears both kinds.
 class ReaderCore {
  public:
   struct Dds;

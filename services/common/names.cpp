@@ -33,8 +33,8 @@ bool is_path(std::string_view text) {
 bool is_foreign_topic(std::string_view text) {
   if (text.starts_with('/')) text.remove_prefix(1);
   const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == '_' || c == '/';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '/';
   };
   return !text.empty() && text.front() != '/' && text.back() != '/' &&
          text.find("//") == std::string_view::npos &&
@@ -58,9 +58,8 @@ std::string_view nearest_name(std::string_view name) {
     return front + back;
   };
   const auto names = known_names();
-  return *std::max_element(names.begin(), names.end(), [&](auto a, auto b) {
-    return shared(a) < shared(b);
-  });
+  return *std::max_element(names.begin(), names.end(),
+                           [&](auto a, auto b) { return shared(a) < shared(b); });
 }
 
 void require(bool ok, const std::string& what, const std::string& value) {

@@ -18,15 +18,15 @@ enum class Scope {
 struct TopicInfo {
   std::string_view name;
   Scope scope;
-  const char* profile;       // of qos/profiles.xml
-  bool any_writer = false;   // drivers write it: best-effort ones are heard, too
+  const char* profile;      // of qos/profiles.xml
+  bool any_writer = false;  // drivers write it: best-effort ones are heard, too
 };
 
 struct Names {
   std::string vehicle = "uav1";
   std::string clock_topic = "clock";
-  std::string px4_namespace;  // empty, or px4_<n>
-  std::string px4_release;    // "1.17"; empty: that of idl/px4_msgs
+  std::string px4_namespace;                  // empty, or px4_<n>
+  std::string px4_release;                    // "1.17"; empty: that of idl/px4_msgs
   std::string body_frame = "base_link";       // as drivers and estimators call it
   bool odometry_is_map = false;               // whatever frame it names
   std::map<std::string, std::string> remaps;  // names to topics of ROS 2: odometry → mavros/odom
@@ -38,8 +38,9 @@ struct Names {
 /// Throws std::invalid_argument if a name is not one that ROS 2 allows.
 void validate_or_throw(const Names& names);
 
-/// NAME:=TOPIC, with a name of topics.hpp. Throws std::invalid_argument that says what is wrong: not
-/// of that form, a name that does not exist (with the nearest one), a topic that ROS 2 does not allow.
+/// NAME:=TOPIC, with a name of topics.hpp. Throws std::invalid_argument that says what is wrong:
+/// not of that form, a name that does not exist (with the nearest one), a topic that ROS 2 does not
+/// allow.
 void add_remap(Names& names, std::string_view text);
 
 std::string topic_name(const TopicInfo& info, const Names& names);

@@ -48,18 +48,18 @@ void add_names_options(CLI::App& app, Names& names) {
       ->check(CLI::IsMember({"1.15", "1.16", "1.17", "1.18"}));
   using Words = std::vector<std::string>;
   app.add_option_function<Words>(
-      "--preset",
-      [&names](const Words& presets) {
-        for (const auto& preset : presets) add_preset(names, preset);
-      },
-      "Topics of a usual driver: " + preset_names())
+         "--preset",
+         [&names](const Words& presets) {
+           for (const auto& preset : presets) add_preset(names, preset);
+         },
+         "Topics of a usual driver: " + preset_names())
       ->allow_extra_args(false);
   app.add_option_function<Words>(
-      "--remap",
-      [&names](const Words& remaps) {
-        for (const auto& remap : remaps) add_remap(names, remap);
-      },
-      "NAME:=TOPIC: another topic in a topic's place, as odometry:=mavros/local_position/odom")
+         "--remap",
+         [&names](const Words& remaps) {
+           for (const auto& remap : remaps) add_remap(names, remap);
+         },
+         "NAME:=TOPIC: another topic in a topic's place, as odometry:=mavros/local_position/odom")
       ->allow_extra_args(false);
   app.add_option("--base-frame", names.body_frame, "The body's frame in transforms and odometry")
       ->capture_default_str();
@@ -101,18 +101,10 @@ void add_options(CLI::App& app, ServiceOptions& options) {
 }
 
 std::vector<std::string> arguments_of(const ServiceOptions& o) {
-  std::vector<std::string> words = {"--vehicle",
-                                    o.names.vehicle,
-                                    "--domain",
-                                    std::to_string(o.domain_id),
-                                    "--clock-topic",
-                                    o.names.clock_topic,
-                                    "--state-dir",
-                                    o.state_folder,
-                                    "--log-level",
-                                    o.log_level,
-                                    "--base-frame",
-                                    o.names.body_frame};
+  std::vector<std::string> words = {
+      "--vehicle",     o.names.vehicle,     "--domain",     std::to_string(o.domain_id),
+      "--clock-topic", o.names.clock_topic, "--state-dir",  o.state_folder,
+      "--log-level",   o.log_level,         "--base-frame", o.names.body_frame};
   const auto add = [&words](bool wanted, std::vector<std::string> more) {
     if (wanted) words.insert(words.end(), more.begin(), more.end());
   };

@@ -48,7 +48,9 @@ const std::vector<Preset>& all() {
       {"usb_cam",
        "usb_cam: colour alone, the map must come from elsewhere",
        {{kColor, "image_raw"}, {kCompressed, "image_raw/compressed"}, {kColorInfo, "camera_info"}}},
-      {"mavros", "mavros' local position as the odometry", {{"odometry", "mavros/local_position/odom"}}}};
+      {"mavros",
+       "mavros' local position as the odometry",
+       {{"odometry", "mavros/local_position/odom"}}}};
   return kPresets;
 }
 
@@ -60,7 +62,8 @@ std::span<const Preset> presets() {
 
 std::string preset_names() {
   std::string names;
-  for (const Preset& preset : all()) names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  for (const Preset& preset : all())
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
   return names;
 }
 

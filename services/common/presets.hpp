@@ -21,7 +21,8 @@ struct Preset {
   std::vector<Remap> remaps;
 };
 
-/// All of them, as the drivers' own documentation has their defaults.
+/// All of them: the drivers' defaults as far as we know them; docs/compatibility.md says what was
+/// tried.
 std::span<const Preset> presets();
 
 /// "realsense, oak, …".

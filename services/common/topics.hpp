@@ -184,14 +184,13 @@ struct Px4VehicleCommand {
 
 /// All of them, for the tests and the monitor.
 using All =
-    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage,
-               ColorImageCompressed, ColorCameraInfo,
-               Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
-               TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
-               BodySightings, MovingBodies, PredictionPath, PlanPath, Markers, Transforms,
-               StaticTransforms, Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry,
-               Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
-               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
-               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorImageCompressed,
+               ColorCameraInfo, Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints,
+               TargetIntention, TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand,
+               ServiceHealth, BodySightings, MovingBodies, PredictionPath, PlanPath, Markers,
+               Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
+               Px4VehicleOdometry, Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode,
+               Px4BatteryStatus, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
+               Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

@@ -31,7 +31,9 @@ void copy_plain(Pixels from, std::uint32_t width, std::uint8_t* to) {
 // BT.601 with video's range (luma 16 to 235), as cameras write it.
 void put_yuv(int y, int u, int v, std::uint8_t* rgb) {
   const int c = 298 * (y - 16) + 128, d = u - 128, e = v - 128;
-  const auto byte = [](int value) { return static_cast<std::uint8_t>(std::clamp(value >> 8, 0, 255)); };
+  const auto byte = [](int value) {
+    return static_cast<std::uint8_t>(std::clamp(value >> 8, 0, 255));
+  };
   rgb[0] = byte(c + 409 * e);
   rgb[1] = byte(c - 100 * d - 208 * e);
   rgb[2] = byte(c + 516 * d);

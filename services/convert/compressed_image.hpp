@@ -12,8 +12,8 @@
 namespace foretrack {
 
 /// A JPEG or PNG picture of the camera's size; which one, its own first bytes say. Its size is
-/// compared before anything is decoded. `buffer` is the memory of an older image. Cost: 3 to 6 ms for
-/// 640 × 480 pixels.
+/// compared before anything is decoded. `buffer` is the memory of an older image. Cost: 3 to 6 ms
+/// for 640 × 480 pixels.
 Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
                                  const CameraModel& camera, std::vector<std::uint8_t> buffer = {});
 

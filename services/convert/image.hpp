@@ -18,8 +18,8 @@ void to_idl(const RgbImage& image, double stamp_s, sensor_msgs::msg::Image& out,
 /// As 32FC1: metres.
 void to_idl(const DepthImage& image, sensor_msgs::msg::Image& out,
             std::string_view frame = kCameraFrame);
-/// Little-endian 32FC1 (metres), 16UC1 or mono16 (millimetres), of the camera's size. `buffer` is the
-/// memory of an older image, so that nothing is allocated after the first one.
+/// Little-endian 32FC1 (metres), 16UC1 or mono16 (millimetres), of the camera's size. `buffer` is
+/// the memory of an older image, so that nothing is allocated after the first one.
 Converted<DepthImage> from_idl(const sensor_msgs::msg::Image& in, const CameraModel& camera,
                                std::vector<float> buffer = {});
 

@@ -12,10 +12,10 @@ namespace {
 Pose pose_of(const std::vector<double>& mount) {
   Pose pose = Pose::Identity();
   pose.translation() = Vec3(mount[0], mount[1], mount[2]);
-  pose.linear() = (Eigen::AngleAxisd(mount[5], Vec3::UnitZ()) *
-                   Eigen::AngleAxisd(mount[4], Vec3::UnitY()) *
-                   Eigen::AngleAxisd(mount[3], Vec3::UnitX()))
-                      .toRotationMatrix();
+  pose.linear() =
+      (Eigen::AngleAxisd(mount[5], Vec3::UnitZ()) * Eigen::AngleAxisd(mount[4], Vec3::UnitY()) *
+       Eigen::AngleAxisd(mount[3], Vec3::UnitX()))
+          .toRotationMatrix();
   return pose * CameraModel::default_mount();
 }
 

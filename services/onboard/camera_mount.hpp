@@ -14,11 +14,13 @@ namespace foretrack {
 /// <vehicle>/<frame> before <frame>, so that those of another vehicle are not taken.
 class CameraMount {
  public:
-  /// `configured`: x, y, z, roll, pitch, yaw of ServiceOptions, or empty. `transforms` outlives this.
+  /// `configured`: x, y, z, roll, pitch, yaw of ServiceOptions, or empty. `transforms` outlives
+  /// this.
   CameraMount(Service& service, const std::vector<double>& configured, TransformInput& transforms);
 
-  /// Without transforms that lead there the camera is taken to look ahead from the body's origin, and
-  /// trouble() says so. None: they lead there, but a joint on the way is not known at that time.
+  /// Without transforms that lead there the camera is taken to look ahead from the body's origin,
+  /// and trouble() says so. None: they lead there, but a joint on the way is not known at that
+  /// time.
   std::optional<Pose> at(const std::string& frame_id, double stamp_s);
   /// Why the last answer was a guess, or none; empty: it was not.
   const std::string& trouble() const { return trouble_; }

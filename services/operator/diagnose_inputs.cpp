@@ -26,18 +26,18 @@ struct Input {
 };
 
 constexpr Input kOdometry = {
-    "vehicle", "odometry", "the odometry", "nav_msgs/Odometry", 0.5,
-    "--px4-odometry takes the flight controller's own estimate."};
-constexpr Input kColor = {"camera", "camera/color/image", "the colour image", "sensor_msgs/Image",
-                          1.0,      ""};
+    "vehicle",           "odometry", "the odometry",
+    "nav_msgs/Odometry", 0.5,        "--px4-odometry takes the flight controller's own estimate."};
+constexpr Input kColor = {
+    "camera", "camera/color/image", "the colour image", "sensor_msgs/Image", 1.0, ""};
 constexpr Input kColorInfo = {"calibration",
                               "camera/color/camera_info",
                               "the colour camera's calibration",
                               "sensor_msgs/CameraInfo",
                               2.0,
                               "Calibrate the camera, and let its driver publish camera_info."};
-constexpr Input kDepth = {"depth", "camera/depth/image", "the depth image", "sensor_msgs/Image", 1.0,
-                          ""};
+constexpr Input kDepth = {
+    "depth", "camera/depth/image", "the depth image", "sensor_msgs/Image", 1.0, ""};
 constexpr Input kDepthInfo = {"calibration",
                               "camera/depth/camera_info",
                               "the depth camera's calibration",
@@ -134,9 +134,8 @@ Finding detection(const FlightSnapshot& p) {
 
 void check_color(const FlightSnapshot& p, std::vector<Finding>& findings) {
   if (comes(p, kColor.topic) || comes(p, "camera/color/image/compressed")) {
-    findings.push_back(comes(p, kColor.topic)
-                           ? check(p, kColor)
-                           : fine("camera", "compressed colour images come"));
+    findings.push_back(comes(p, kColor.topic) ? check(p, kColor)
+                                              : fine("camera", "compressed colour images come"));
     findings.push_back(check(p, kColorInfo));
     if (auto mount = check_mount(p, "perception")) findings.push_back(*mount);
     findings.push_back(detection(p));
@@ -185,10 +184,11 @@ Finding check_status(const FlightSnapshot& p) {
   if (finding.level == Level::kFault && !comes(p, kStatus.topic) && !other.empty())
     finding.advice = fmt::format("One is there under another name: --px4-namespace {}.", other);
   if (finding.level != Level::kFine || std::abs(p.px4_ahead_s) < kStampLimit_s) return finding;
-  return fault("autopilot",
-               fmt::format("The flight controller's stamps are not in this machine's time: {:+.1f} s.",
-                           p.px4_ahead_s),
-               "Set its parameter UXRCE_DDS_SYNCT to 1 and start its DDS agent anew.");
+  return fault(
+      "autopilot",
+      fmt::format("The flight controller's stamps are not in this machine's time: {:+.1f} s.",
+                  p.px4_ahead_s),
+      "Set its parameter UXRCE_DDS_SYNCT to 1 and start its DDS agent anew.");
 }
 
 }  // namespace

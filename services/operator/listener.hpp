@@ -56,7 +56,12 @@ class Listener {
   /// Cameras as the services read them: what they refuse does not count as coming.
   struct Cameras {
     explicit Cameras(Node& node)
-        : color(node), compressed(node), color_info(node), depth(node), depth_info(node), map(node) {}
+        : color(node),
+          compressed(node),
+          color_info(node),
+          depth(node),
+          depth_info(node),
+          map(node) {}
     Reader<topics::ColorImage> color;
     Reader<topics::ColorImageCompressed> compressed;
     Reader<topics::ColorCameraInfo> color_info;

@@ -12,8 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < kHeader) return 0;
   std::uint32_t numbers[3];
   std::memcpy(numbers, data, sizeof numbers);
-  constexpr const char* kEncodings[] = {"rgb8",   "bgr8",        "mono8", "yuv422",
-                                       "bgra8", "yuv422_yuy2", "mono16", "bayer_rggb8"};
+  constexpr const char* kEncodings[] = {"rgb8",  "bgr8",        "mono8",  "yuv422",
+                                        "bgra8", "yuv422_yuy2", "mono16", "bayer_rggb8"};
   sensor_msgs::msg::Image message;
   message.width(numbers[0] % 40000);
   message.height(numbers[1] % 40000);

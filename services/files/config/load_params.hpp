@@ -19,8 +19,9 @@ std::vector<std::pair<std::string_view, ParamRows>> stages_of(TrackerParams& par
 /// std::invalid_argument that lists those that ship.
 std::string find_params(const std::string& name_or_file);
 
-/// Defaults with the file's values; its section "vehicle" is load_vehicle's. Throws std::invalid_argument that names every fault (unknown
-/// section or key, bad text, NaN, out of range) with file and line.
+/// Defaults with the file's values; its section "vehicle" is load_vehicle's. Throws
+/// std::invalid_argument that names every fault (unknown section or key, bad text, NaN, out of
+/// range) with file and line.
 TrackerParams load_params(const std::string& file);
 
 /// A table of the stage's rows (name, value, unit, range, meaning); every stage if empty. Throws

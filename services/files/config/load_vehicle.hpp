@@ -18,8 +18,8 @@ struct VehicleSection {
 };
 
 /// remap, preset, px4, px4_namespace, base_frame, odometry_is_map, color_mount, depth_mount. Throws
-/// std::invalid_argument that names every fault with its line. The words themselves are checked where
-/// they are used.
+/// std::invalid_argument that names every fault with its line. The words themselves are checked
+/// where they are used.
 VehicleSection load_vehicle(const std::string& file);
 
 }  // namespace foretrack

@@ -81,9 +81,9 @@ GridMap within(const octomap::OcTree& tree, const std::filesystem::path& file, c
   const auto extents = extents_of(tree);
   const auto box = extents.intersection({world.min_m, world.max_m});
   if (((box.max() - box.min()).array() < tree.getResolution()).any())
-    throw std::invalid_argument(fmt::format(
-        "{}: nothing of it is within bounds_m; it reaches from ({:.2f}) to ({:.2f}) m",
-        file.string(), fmt::join(extents.min(), ", "), fmt::join(extents.max(), ", ")));
+    throw std::invalid_argument(
+        fmt::format("{}: nothing of it is within bounds_m; it reaches from ({:.2f}) to ({:.2f}) m",
+                    file.string(), fmt::join(extents.min(), ", "), fmt::join(extents.max(), ", ")));
   return grid_of_octree(tree, box.min(), box.max());
 }
 

@@ -9,12 +9,13 @@
 
 namespace foretrack {
 
-/// Adds the occupied cells of an OctoMap file (.bt or .ot) to the world, merged into few boxes (each
-/// a millimetre smaller on every side, so that cells which only touch do not count as overlapping);
-/// what the octree does not know is free. With set_bounds the world's bounds become those of the
-/// octree; without, only what is within the world's bounds is taken. Returns the octree's resolution
-/// in metres. Throws std::invalid_argument that names the file and what is wrong with it: bounds
-/// that do not meet it, with its extents, among that. Cost: linear in the cells of the box.
+/// Adds the occupied cells of an OctoMap file (.bt or .ot) to the world, merged into few boxes
+/// (each a millimetre smaller on every side, so that cells which only touch do not count as
+/// overlapping); what the octree does not know is free. With set_bounds the world's bounds become
+/// those of the octree; without, only what is within the world's bounds is taken. Returns the
+/// octree's resolution in metres. Throws std::invalid_argument that names the file and what is
+/// wrong with it: bounds that do not meet it, with its extents, among that. Cost: linear in the
+/// cells of the box.
 double add_octree(const std::filesystem::path& file, bool set_bounds, World& world);
 
 /// What is in an OctoMap file.

@@ -174,7 +174,8 @@ void YamlReader::texts(std::string_view key, std::vector<std::string>& values) {
     if (item.IsScalar())
       values.push_back(item.Scalar());
     else
-      faults_.add(item.Mark(), fmt::format("{}: holds {}, expected texts", path_of(key), kind_of(item)));
+      faults_.add(item.Mark(),
+                  fmt::format("{}: holds {}, expected texts", path_of(key), kind_of(item)));
   }
 }
 

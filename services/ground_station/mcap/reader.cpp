@@ -80,8 +80,8 @@ bool Reader::open_chunk(std::span<const std::uint8_t> content) {
     chunk_.assign(records.begin(), records.end());
   } else if (compression == "zstd" || compression == "lz4") {
     chunk_.resize(static_cast<std::size_t>(size));
-    const bool whole = compression == "zstd" ? decompress_zstd(records, chunk_)
-                                             : decompress_lz4(records, chunk_);
+    const bool whole =
+        compression == "zstd" ? decompress_zstd(records, chunk_) : decompress_lz4(records, chunk_);
     if (!whole) return stop("a chunk does not decompress");
   } else {
     return stop("chunks are compressed by " + compression + ", zstd or lz4 expected");

@@ -22,7 +22,8 @@ std::string value_of(const std::map<std::string, std::string>& map, const std::s
   return it == map.end() ? "" : it->second;
 }
 
-// Of rosbag2, which has the names of ROS 2: "nav_msgs/msg/Odometry" → "nav_msgs::msg::dds_::Odometry_".
+// Of rosbag2, which has the names of ROS 2: "nav_msgs/msg/Odometry" →
+// "nav_msgs::msg::dds_::Odometry_".
 std::string dds_type_of(const std::string& schema_name) {
   const auto first = schema_name.find("/msg/");
   if (first == std::string::npos) return "";
@@ -31,7 +32,9 @@ std::string dds_type_of(const std::string& schema_name) {
 
 // Of rosbag2's offered_qos_profiles, in which policies are numbers (older ones) or words.
 std::string profile_of(const std::string& offered) {
-  const auto says = [&offered](const char* what) { return offered.find(what) != std::string::npos; };
+  const auto says = [&offered](const char* what) {
+    return offered.find(what) != std::string::npos;
+  };
   if (offered.empty()) return "";
   if (says("durability: 1") || says("durability: transient_local")) return "latched";
   return says("reliability: 2") || says("reliability: best_effort") ? "sensor" : "state";

@@ -60,8 +60,8 @@ struct ReplayedOntoDds {
 };
 
 /// Writes the recording's samples to the topics that they came from, with the same bytes; those of
-/// rosbag2 under ROS 2's names and with the quality of service that they had. Topics that were not on
-/// the bus, and those that move vehicles, are left out. Until the end or the stop. Throws as
+/// rosbag2 under ROS 2's names and with the quality of service that they had. Topics that were not
+/// on the bus, and those that move vehicles, are left out. Until the end or the stop. Throws as
 /// check_recording does.
 ReplayedOntoDds replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop);
 

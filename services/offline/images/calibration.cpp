@@ -110,9 +110,8 @@ CameraWithLens load_calibration(const std::string& file) {
 }
 
 std::string describe(const CameraWithLens& c) {
-  return fmt::format("{} × {} px, {:.0f}° × {:.0f}° of view", c.camera.width_px,
-                     c.camera.height_px, deg(c.horizontal_view_rad()),
-                     deg(c.vertical_view_rad()));
+  return fmt::format("{} × {} px, {:.0f}° × {:.0f}° of view", c.camera.width_px, c.camera.height_px,
+                     deg(c.horizontal_view_rad()), deg(c.vertical_view_rad()));
 }
 
 }  // namespace foretrack

@@ -61,7 +61,8 @@ void MappingService::take(const sensor_msgs::msg::Image& message) {
   update();
 }
 
-// An image may arrive before the odometry and the transforms of its stamp. False: they may come yet.
+// An image may arrive before the odometry and the transforms of its stamp. False: they may come
+// yet.
 bool MappingService::place(const VehicleState* vehicle) {
   const auto mount = mount_.at(frame_id_, depth_.stamp_s);
   const bool covered = vehicle && vehicle->stamp_s >= depth_.stamp_s;

@@ -15,9 +15,9 @@ using Added = TransformTree::Added;
 Pose at(const Vec3& place_m, double yaw_rad = 0.0, double pitch_rad = 0.0) {
   Pose pose = Pose::Identity();
   pose.translation() = place_m;
-  pose.linear() = (Eigen::AngleAxisd(yaw_rad, Vec3::UnitZ()) *
-                   Eigen::AngleAxisd(pitch_rad, Vec3::UnitY()))
-                      .toRotationMatrix();
+  pose.linear() =
+      (Eigen::AngleAxisd(yaw_rad, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch_rad, Vec3::UnitY()))
+          .toRotationMatrix();
   return pose;
 }
 
@@ -25,8 +25,7 @@ TEST(TransformTree, AChainIsTheProductOfItsTransforms) {
   TransformTree tree;
   tree.add_static("base_link", "camera_link", at({0.2, 0.0, 0.1}, 0.3));
   tree.add_static("camera_link", "camera_color_frame", at({0.0, 0.015, 0.0}));
-  tree.add_static("camera_color_frame", "camera_color_optical_frame",
-                  CameraModel::default_mount());
+  tree.add_static("camera_color_frame", "camera_color_optical_frame", CameraModel::default_mount());
   const auto found = tree.find("base_link", "camera_color_optical_frame", 5.0);
   ASSERT_EQ(found.status, Status::kFound);
   EXPECT_FALSE(found.moves);
@@ -57,8 +56,8 @@ TEST(TransformTree, AJointIsWhereItWasAtTheTime) {
   EXPECT_TRUE(found.moves);
   EXPECT_TRUE(found.T_to_from.isApprox(at(Vec3::Zero(), 0.0, 0.25) * at({0.1, 0.0, 0.0}), 1e-9));
   EXPECT_EQ(tree.find("base_link", "camera", 10.0).status, Status::kFound);
-  EXPECT_TRUE(tree.find("base_link", "gimbal", 10.55).T_to_from.isApprox(
-      at(Vec3::Zero(), 0.0, 1.0), 1e-9));
+  EXPECT_TRUE(
+      tree.find("base_link", "gimbal", 10.55).T_to_from.isApprox(at(Vec3::Zero(), 0.0, 1.0), 1e-9));
   const auto late = tree.find("base_link", "camera", 11.0);
   EXPECT_EQ(late.status, Status::kNotThen);
   EXPECT_THAT(late.why, HasSubstr("newest transform of 'gimbal' is 0.50 s older"));

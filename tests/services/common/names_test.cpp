@@ -43,8 +43,7 @@ TEST(Remap, SaysWhatIsWrong) {
 TEST(Preset, RemapsWhatADriverPublishesAndIsFoundByIt) {
   Names names;
   add_preset(names, "realsense");
-  EXPECT_EQ(topic_name(topics::ColorCameraInfo::info, names),
-            "rt/camera/camera/color/camera_info");
+  EXPECT_EQ(topic_name(topics::ColorCameraInfo::info, names), "rt/camera/camera/color/camera_info");
   add_remap(names, "camera/depth/image:=mine");
   EXPECT_EQ(topic_name(topics::DepthImage::info, names), "rt/mine");
   EXPECT_THAT(error_of([&] {

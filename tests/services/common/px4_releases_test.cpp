@@ -17,8 +17,8 @@ namespace foretrack {
 namespace {
 
 constexpr const char* kMessages[] = {
-    "VehicleStatus",      "BatteryStatus",  "VehicleLocalPosition", "FailsafeFlags",
-    "VehicleOdometry",    "VehicleCommand", "VehicleControlMode",   "VehicleCommandAck",
+    "VehicleStatus",       "BatteryStatus",  "VehicleLocalPosition",  "FailsafeFlags",
+    "VehicleOdometry",     "VehicleCommand", "VehicleControlMode",    "VehicleCommandAck",
     "OffboardControlMode", "TimesyncStatus", "ManualControlSetpoint", "TrajectorySetpoint"};
 
 std::string wire_type(const std::string& message) {

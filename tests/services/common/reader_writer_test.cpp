@@ -7,6 +7,8 @@
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/TargetState.h"
 #include "nav_msgs/msg/Odometry.h"
+#include "px4_msgs/msg/VehicleStatus.h"
+#include "services/common/px4_releases.hpp"
 #include "services/common/raw.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
@@ -282,6 +284,35 @@ TEST(ReaderWriter, BestEffortDriversAreHeardBesideReliableOnes) {
     const auto* got = reader.take_newest();
     return got && got->header().stamp().sec() == 8;
   }));
+}
+
+TEST(ReaderWriter, MessagesOfPx4HaveTheLayoutOfTheRelease) {
+  NodeOptions of_release = node_options("px4");
+  of_release.names.px4_release = "1.18";
+  Node node(of_release), other(of_release), raw_node(node_options("raw"));
+  Writer<topics::Px4VehicleStatus> writer(node);
+  Reader<topics::Px4VehicleStatus> reader(other);
+  RawReader raw(raw_node, {writer.stats().topic, "px4_msgs::msg::dds_::VehicleStatus_", false},
+                "sensor");
+  EXPECT_EQ(writer.stats().topic, "rt/fmu/out/vehicle_status_v4");
+  auto& sent = writer.sample();
+  sent.nav_state(14);
+  sent.failsafe(true);
+  sent.system_id(42);
+  sent.pre_flight_checks_pass(true);
+  px4_msgs::msg::VehicleStatus got;
+  CdrBytes bytes;
+  ASSERT_TRUE(eventually([&] {
+    writer.write();
+    if (const auto* sample = reader.take_newest()) got = *sample;
+    raw.take(bytes);
+    return got.system_id() == 42 && !bytes.empty();
+  }));
+  EXPECT_EQ(got, sent);
+  const auto layout = px4_layout_of("px4_msgs::msg::dds_::VehicleStatus_", "1.18");
+  EXPECT_EQ(bytes.size(), 4 + layout.bytes);
+  for (const auto& field : layout.fields)
+    if (field.name == "nav_state") EXPECT_EQ(bytes[4 + field.at], 14);
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ namespace {
 // What is seen of a wall that ends at 20° to the left, through a barrel.
 TEST(DepthCamera, StraightensWhatALensHasBent) {
   const CameraModel model = CameraModel::from_fov(160, 120, rad(80), rad(64));
-  const CameraWithLens camera{model,
-                              lens_of("plumb_bob", std::vector{-0.25, 0.05, 0.0, 0.0, 0.0})};
+  const CameraWithLens camera{model, lens_of("plumb_bob", std::vector{-0.25, 0.05, 0.0, 0.0, 0.0})};
   const double edge_px = model.cx_px - model.fx_px * std::tan(rad(35.0));
   DepthImage bent{1.0, model, std::vector<float>(160 * 120, 2.0F)};
   for (int row = 0; row < 120; ++row)

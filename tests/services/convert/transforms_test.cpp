@@ -32,8 +32,8 @@ TEST(TakeTransforms, PutsThemIntoTheTree) {
   TransformTree tree;
   auto message = mount("/base_link");  // as ROS 1 had them
   EXPECT_FALSE(take_transforms(message, true, tree));
-  EXPECT_TRUE(tree.find("base_link", "camera", 0.0)
-                  .T_to_from.isApprox(CameraModel::default_mount(), 1e-9));
+  EXPECT_TRUE(
+      tree.find("base_link", "camera", 0.0).T_to_from.isApprox(CameraModel::default_mount(), 1e-9));
 }
 
 TEST(TakeTransforms, NamesWhatItDoesNotTake) {

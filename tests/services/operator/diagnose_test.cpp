@@ -32,8 +32,8 @@ struct Flight {
     for (const char* topic :
          {"odometry", "camera/color/image", "camera/color/camera_info", "camera/depth/image",
           "camera/depth/camera_info", "fmu/out/vehicle_status", "target/observation",
-          "target/state", "map/local", "target/intention", "target/prediction",
-          "plan/trajectory", "safety/state"})
+          "target/state", "map/local", "target/intention", "target/prediction", "plan/trajectory",
+          "safety/state"})
       snapshot.flows.push_back({.topic = topic,
                                 .wire = std::string("rt/uav1/") + topic,
                                 .rate_hz = 20.0,
@@ -42,7 +42,8 @@ struct Flight {
                                 .samples = 60,
                                 .rejected = {},
                                 .refusal = {}});
-    for (const char* service : {"perception", "mapping"}) snapshot.services.push_back(said(service));
+    for (const char* service : {"perception", "mapping"})
+      snapshot.services.push_back(said(service));
     snapshot.px4_release = snapshot.px4_spoken = "1.16";
   }
   static ServiceReport said(const std::string& service, const std::string& words = "") {
@@ -182,8 +183,7 @@ TEST(Diagnose, NamesTopicsOfTheSameTypeAndPresetsThatFit) {
   flight.snapshot.published = {{"rt/mavros/local_position/odom", "nav_msgs::msg::dds_::Odometry_"},
                                {"rt/uav1/simulator/vehicle", "nav_msgs::msg::dds_::Odometry_"},
                                {"rt/camera/image_raw", "sensor_msgs::msg::dds_::Image_"}};
-  EXPECT_THAT(flight.advice(),
-              HasSubstr("--remap odometry:=mavros/local_position/odom takes it"));
+  EXPECT_THAT(flight.advice(), HasSubstr("--remap odometry:=mavros/local_position/odom takes it"));
   EXPECT_THAT(flight.advice(), Not(HasSubstr("simulator")));
   flight.snapshot.fitting_presets = {"mavros"};
   EXPECT_THAT(to_text(diagnose(flight.snapshot)), HasSubstr("these presets: mavros"));
@@ -197,7 +197,8 @@ TEST(Diagnose, ShowsValueAndExpectationOfWhatIsRefused) {
   Flight some;
   some.flow("odometry").refusal = "twist.linear is nan";
   EXPECT_EQ(some.cause(), "");
-  EXPECT_THAT(to_text(diagnose(some.snapshot)), HasSubstr("some samples are refused: twist.linear"));
+  EXPECT_THAT(to_text(diagnose(some.snapshot)),
+              HasSubstr("some samples are refused: twist.linear"));
 }
 
 TEST(Diagnose, TellsAStuckDriverFromAMissingOne) {
@@ -213,8 +214,9 @@ TEST(Diagnose, TellsAStuckDriverFromAMissingOne) {
 
 TEST(Diagnose, SaysThatNobodyKnowsWhereACameraSits) {
   Flight flight;
-  flight.says("mapping", "where the camera 'camera_depth_optical_frame' sits is not known (no "
-                         "transform of 'camera_depth_optical_frame' is known)");
+  flight.says("mapping",
+              "where the camera 'camera_depth_optical_frame' sits is not known (no "
+              "transform of 'camera_depth_optical_frame' is known)");
   EXPECT_THAT(flight.cause(), HasSubstr("mapping: where the camera 'camera_depth_optical_frame'"));
   EXPECT_THAT(flight.advice(), HasSubstr("--depth-mount"));
 }

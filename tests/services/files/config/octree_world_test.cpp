@@ -90,8 +90,8 @@ TEST_F(OctreeWorld, OnlyWhatIsWithinTheBoundsIsTaken) {
   world.min_m = {30, 30, 0};
   world.max_m = {40, 40, 1};
   EXPECT_THAT([&] { add_octree(write_tree(), false, world); },
-              testing::ThrowsMessage<std::invalid_argument>(
-                  testing::HasSubstr("it reaches from (-4.00, -4.00, 0.00) to (4.00, 4.00, 3.00)")));
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
+                  "it reaches from (-4.00, -4.00, 0.00) to (4.00, 4.00, 3.00)")));
 }
 
 TEST_F(OctreeWorld, FullTreesAreReadToo) {

@@ -66,7 +66,8 @@ TEST(LoadCalibration, NamesEveryFaultWithItsLine) {
 
 TEST(LoadCalibration, RefusesUnknownLensesAndNegativeFocalLengths) {
   EXPECT_THAT(fault_of(replaced(kGood, "plumb_bob", "origami")), HasSubstr("origami"));
-  EXPECT_THAT(fault_of(replaced(kGood, "430.2", "-430.2")), HasSubstr("camera_matrix: fx is -430.2 px"));
+  EXPECT_THAT(fault_of(replaced(kGood, "430.2", "-430.2")),
+              HasSubstr("camera_matrix: fx is -430.2 px"));
   EXPECT_THAT(fault_of("[1, 2]"), HasSubstr("a camera calibration expected"));
   EXPECT_THAT(fault_of("a: b"), HasSubstr("image_height"));
   EXPECT_THROW(load_calibration("/nowhere.yaml"), std::invalid_argument);
@@ -96,13 +97,14 @@ TEST(LoadCalibration, RefusesNumbersThatNoCameraHas) {
 
 TEST(LoadCalibration, ReadsWhatOtherToolsWrite) {
   const std::string list = replaced(
-      kGood, "distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: ", "distortion_coefficients: ");
+      kGood,
+      "distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: ", "distortion_coefficients: ");
   EXPECT_EQ(load(list).lens.coefficients[0], -0.337);
-  const std::string eight = replaced(replaced(kGood, "cols: 5", "cols: 8"), "0.0003, 0.]",
-                                     "0.0003, 0., 0.1, 0., 0.]");
+  const std::string eight =
+      replaced(replaced(kGood, "cols: 5", "cols: 8"), "0.0003, 0.]", "0.0003, 0., 0.1, 0., 0.]");
   EXPECT_EQ(load(eight).lens.model, Lens::Model::kRationalPolynomial);
-  const std::string none = replaced(replaced(kGood, "plumb_bob", "none"),
-                                    "-0.337, 0.111, -0.0002, 0.0003, 0.", "");
+  const std::string none =
+      replaced(replaced(kGood, "plumb_bob", "none"), "-0.337, 0.111, -0.0002, 0.0003, 0.", "");
   EXPECT_FALSE(load(none).lens.distorts());
   constexpr char kEcho[] =
       "header:\n  stamp: {sec: 1, nanosec: 0}\n  frame_id: cam\nheight: 480\nwidth: 640\n"

@@ -170,13 +170,13 @@ Pose turned_left() {
 }
 
 TEST_F(MappingOnDds, AMountThatNobodyKnowsIsSaid) {
-  EXPECT_TRUE(neighbours_.until([&] { return maps() && says("camera_optical_frame' sits is not known"); },
-                                [&] { feed(); }))
+  EXPECT_TRUE(neighbours_.until(
+      [&] { return maps() && says("camera_optical_frame' sits is not known"); }, [&] { feed(); }))
       << said_;
 }
 
-// As drivers publish it: the image's frame is the last of a chain, and another vehicle has a frame of
-// the same name on the shared topic.
+// As drivers publish it: the image's frame is the last of a chain, and another vehicle has a frame
+// of the same name on the shared topic.
 TEST_F(MappingOnDds, TheMountIsTheChainFromTheImagesFrame) {
   frame_id_ = "camera_depth_optical_frame";
   Writer<topics::StaticTransforms> transforms(neighbours_.node());
@@ -185,14 +185,17 @@ TEST_F(MappingOnDds, TheMountIsTheChainFromTheImagesFrame) {
     transforms.write();
   };
   ASSERT_TRUE(neighbours_.until(
-      [&] { return maps() && map_.is_occupied({0.0, 2.0, 1.5}) && says(""); },
+      [&] {
+        return maps() && map_.is_occupied({0.0, 2.0, 1.5}) && says("");
+      },
       [&] {
         send(turned_left(), "base_link", "camera_link");
         send(CameraModel::default_mount(), "camera_link", "camera_depth_optical_frame");
         send(CameraModel::default_mount(), "uav2/base_link", "uav2/camera_depth_optical_frame");
         feed();
       }));
-  EXPECT_TRUE(neighbours_.until([&] { return says("") && said_.empty(); }, [&] { feed(); })) << said_;
+  EXPECT_TRUE(neighbours_.until([&] { return says("") && said_.empty(); }, [&] { feed(); }))
+      << said_;
 }
 
 TEST_F(MappingOnDds, AJointCountsAtTheImagesStampAndWithoutItNoImageCounts) {
@@ -203,11 +206,14 @@ TEST_F(MappingOnDds, AJointCountsAtTheImagesStampAndWithoutItNoImageCounts) {
                  neighbours_.now_s() - age_s, joints.sample());
     joints.write();
   };
-  ASSERT_TRUE(neighbours_.until([&] { return maps() && map_.is_occupied({0.0, 2.0, 1.5}); },
-                                [&] {
-                                  send_joint(0.0);
-                                  feed();
-                                }));
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        return maps() && map_.is_occupied({0.0, 2.0, 1.5});
+      },
+      [&] {
+        send_joint(0.0);
+        feed();
+      }));
   EXPECT_TRUE(neighbours_.until(
       [&] { return neighbours_.refused("camera/depth/image", "mount") > 0; }, [&] { feed(); }));
 }
@@ -218,27 +224,32 @@ class MappingWithAMount : public MappingOnDds {
 };
 
 TEST_F(MappingWithAMount, TheConfigurationComesBeforeTransforms) {
-  EXPECT_TRUE(neighbours_.until([&] { return maps() && map_.is_occupied({0.0, 2.0, 1.5}); },
-                                [&] { feed(); }));
+  EXPECT_TRUE(neighbours_.until(
+      [&] {
+        return maps() && map_.is_occupied({0.0, 2.0, 1.5});
+      },
+      [&] { feed(); }));
 }
 
 TEST_F(MappingOnDds, OdometryOfAnotherFrameIsBroughtIntoTheMap) {
   Writer<topics::Transforms> transforms(neighbours_.node());
   Pose T_map_odom = turned_left();
-  ASSERT_TRUE(neighbours_.until([&] { return maps() && map_.is_occupied({0.0, 2.0, 1.5}); },
-                                [&] {
-                                  to_transform(T_map_odom, "map", "odom", neighbours_.now_s(),
-                                               transforms.sample());
-                                  transforms.write();
-                                  to_idl(wall_.camera, neighbours_.now_s(), info_.sample());
-                                  info_.write();
-                                  neighbours_.vehicle.stamp_s = neighbours_.now_s();
-                                  auto& odometry = neighbours_.odometry();
-                                  to_idl(neighbours_.vehicle, odometry.sample());
-                                  odometry.sample().header().frame_id("odom");
-                                  odometry.write();
-                                  send_image();
-                                }));
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        return maps() && map_.is_occupied({0.0, 2.0, 1.5});
+      },
+      [&] {
+        to_transform(T_map_odom, "map", "odom", neighbours_.now_s(), transforms.sample());
+        transforms.write();
+        to_idl(wall_.camera, neighbours_.now_s(), info_.sample());
+        info_.write();
+        neighbours_.vehicle.stamp_s = neighbours_.now_s();
+        auto& odometry = neighbours_.odometry();
+        to_idl(neighbours_.vehicle, odometry.sample());
+        odometry.sample().header().frame_id("odom");
+        odometry.write();
+        send_image();
+      }));
 }
 
 }  // namespace
