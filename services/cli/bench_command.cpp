@@ -202,9 +202,9 @@ std::function<int()> prepare_bench(CLI::App& app) {
   app.add_option("--scenario", q.scenario_files, "own worlds and routes instead of the usual")
       ->check(CLI::ExistingFile);
   app.add_option("--tracks", q.track_files, "track files of real_tracks")->check(CLI::ExistingFile);
-  app.add_option("--track-rate", q.track_rate_hz, "their frames a second")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->capture_default_str();
+  app.add_option("--track-rate", q.track_rate_hz,
+                 "their frames a second; missing: as the files say, else 25")
+      ->check(CLI::Range(0.01, 1000.0));
   app.add_option("--out", o->out, "folder for summary.json, report.html, plots and logs");
   app.add_option("--logs", o->logs, "which logs are kept: none, failed, all")
       ->check(CLI::IsMember({"none", "failed", "all"}))

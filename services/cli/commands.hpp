@@ -15,7 +15,7 @@ struct Command {
   std::function<int()> (*prepare)(CLI::App& app);
 };
 
-/// Those that need no DDS: fly, bench, perceive, params, scenarios.
+/// Those that need no DDS: fly, bench, perceive, params, scenarios, map.
 std::vector<Command> flight_commands();
 
 /// The services of the vehicle, what checks its file, and the simulator. Only in a build with DDS.
@@ -30,6 +30,7 @@ std::function<int()> prepare_bench(CLI::App& app);
 std::function<int()> prepare_perceive(CLI::App& app);
 std::function<int()> prepare_params(CLI::App& app);
 std::function<int()> prepare_scenarios(CLI::App& app);
+std::function<int()> prepare_map(CLI::App& app);
 std::function<int()> prepare_up(CLI::App& app);
 std::function<int()> prepare_demo(CLI::App& app);
 std::function<int()> prepare_order(CLI::App& app);

@@ -167,8 +167,9 @@ int run_replay(const ReplayArguments& arguments) {
   }
   options.node.service = "replay";
   Node node(options.node);
-  const auto written = station::replay_onto_dds({replay, arguments.with_commands}, node, stop);
-  fmt::print("{} samples written\n", written);
+  const auto done = station::replay_onto_dds({replay, arguments.with_commands}, node, stop);
+  fmt::print("{} samples written\n", done.samples);
+  if (!done.fault.empty()) fmt::print(stderr, "{}: {}\n", arguments.file, done.fault);
   return 0;
 }
 

@@ -57,7 +57,7 @@ void take_value(CLI::Option& option, const YAML::Node& value, Faults& faults) {
 
 }  // namespace
 
-void take_vehicle_file(CLI::App& app, const std::string& file) {
+void take_vehicle_file(CLI::App& app, const std::string& file, OtherKeys others) {
   if (file.empty()) return;
   const YAML::Node document = load_yaml(file);
   Faults faults(file);
@@ -67,7 +67,7 @@ void take_vehicle_file(CLI::App& app, const std::string& file) {
     const auto key = entry.first.as<std::string>("");
     if (CLI::Option* option = find_option(app, key))
       take_value(*option, entry.second, faults);
-    else
+    else if (others == OtherKeys::kRefused)
       faults.add(entry.first.Mark(), fmt::format("'{}' is none of {}", key, keys_of(app)));
   }
   faults.throw_if_any();

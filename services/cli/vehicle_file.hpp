@@ -10,7 +10,10 @@ namespace foretrack {
 
 /// Takes what the command line and the environment did not say from the file; an empty name does
 /// nothing. Call it after parsing. Throws std::invalid_argument with every key that is no option,
-/// and every value that the option refuses.
-void take_vehicle_file(CLI::App& app, const std::string& file);
+/// and every value that the option refuses. A command that only looks at the bus leaves the keys of
+/// others alone.
+enum class OtherKeys { kRefused, kLeftAlone };
+void take_vehicle_file(CLI::App& app, const std::string& file,
+                       OtherKeys others = OtherKeys::kRefused);
 
 }  // namespace foretrack

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <thread>
 
-#include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
 #include "services/common/dds_log.hpp"
 #include "services/common/identity.hpp"
 #include "services/common/participant.hpp"
+#include "services/common/px4_type.hpp"
 #include "services/common/ros_graph.hpp"
 
 namespace foretrack {
@@ -55,6 +55,7 @@ Node::Node(const NodeOptions& options)
   validate_or_throw(options_.names);
   if (!options_.security.empty())
     options_.security = identity_folder(options_.security, options_.service);
+  dds_->px4_release = options_.names.px4_release;
   auto* factory = dds::DomainParticipantFactory::get_instance();
   const auto setup = set_up_participant(options_, wire_);
   this_machine_only_ = setup.this_machine_only;
@@ -90,7 +91,8 @@ Node::~Node() {
 
 dds::Topic* Node::Dds::topic(const std::string& name, const TypeOps& ops) {
   if (const auto it = topics.find(name); it != topics.end()) return it->second;
-  dds::TypeSupport type(new CdrType(ops));
+  dds::TypeSupport type(Px4Type::is_needed(ops, px4_release) ? new Px4Type(ops, px4_release)
+                                                             : new CdrType(ops));
   if (type.register_type(participant) != ReturnCode_t::RETCODE_OK)
     throw std::runtime_error(std::string("DDS refuses type ") + ops.name);
   auto* topic = participant->create_topic(name, ops.name, dds::TOPIC_QOS_DEFAULT);

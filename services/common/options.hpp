@@ -15,6 +15,9 @@ namespace foretrack {
 
 struct ServiceOptions {
   Names names;
+  /// Where a camera sits in the body (FLU), if no transforms shall be asked: x, y, z in metres,
+  /// roll, pitch and yaw of a camera that looks along x, in radians. Empty: transforms say it.
+  std::vector<double> color_mount, depth_mount;
   int domain_id = 0;
   bool use_sim_time = false;
   std::string params_file;    // empty: defaults
@@ -31,14 +34,16 @@ struct ServiceOptions {
   std::string log_level = "info";
 };
 
-/// --config --vehicle --domain --interface --security --peer --discovery-server --params
-/// --print-params
-/// --use-sim-time --clock-topic
-/// --px4-namespace
-/// --px4-status-version --ros-iron --px4-odometry --dry-run --state-dir
-/// --log-level. The domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as
-/// systemd sets it), $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
+/// Those of add_names_options, and --config --domain --interface --security --peer
+/// --discovery-server --params --print-params --use-sim-time --clock-topic --color-mount
+/// --depth-mount --ros-iron --px4-odometry --dry-run --state-dir --log-level. The domain's default
+/// is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
+/// $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
+
+/// --vehicle --px4-namespace --px4 --preset --remap --base-frame --odometry-is-map: what things are
+/// called. A wrong one throws std::invalid_argument while the words are parsed.
+void add_names_options(CLI::App& app, Names& names);
 
 /// --interface (default $FORETRACK_INTERFACE) and --security (default $FORETRACK_SECURITY): which
 /// network interface DDS uses, and as whom.

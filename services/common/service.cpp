@@ -25,7 +25,7 @@ NodeOptions node_options(const std::string& name, const ServiceOptions& options)
 }  // namespace
 
 Service::Service(const std::string& name, const ServiceOptions& options, Stop& stop)
-    : node_(node_options(name, options)), loop_(node_, stop), health_(node_) {
+    : options_(options), node_(node_options(name, options)), loop_(node_, stop), health_(node_) {
   loop_.every_wall(kHealthPeriod_s, [this] { health_.publish(loop_.take_stats(), false); });
 }
 

@@ -21,7 +21,7 @@ struct TargetObservation {
 struct DepthImage {
   using Type = sensor_msgs::msg::Image;
   static constexpr TopicInfo info{"camera/depth/image", Scope::kVehicle, "image",
-                                  kFrontEnd | kSimulator};
+                                  kFrontEnd | kSimulator, true};
 };
 struct DepthCameraInfo {
   using Type = sensor_msgs::msg::CameraInfo;
@@ -31,7 +31,12 @@ struct DepthCameraInfo {
 struct ColorImage {
   using Type = sensor_msgs::msg::Image;
   static constexpr TopicInfo info{"camera/color/image", Scope::kVehicle, "image",
-                                  kFrontEnd | kSimulator};
+                                  kFrontEnd | kSimulator, true};
+};
+struct ColorImageCompressed {
+  using Type = sensor_msgs::msg::CompressedImage;
+  static constexpr TopicInfo info{"camera/color/image/compressed", Scope::kVehicle, "image",
+                                  kFrontEnd | kSimulator, true};
 };
 struct ColorCameraInfo {
   using Type = sensor_msgs::msg::CameraInfo;
@@ -41,7 +46,7 @@ struct ColorCameraInfo {
 struct Odometry {
   using Type = nav_msgs::msg::Odometry;
   static constexpr TopicInfo info{"odometry", Scope::kVehicle, "state",
-                                  kFrontEnd | kGate | kSimulator};
+                                  kFrontEnd | kGate | kSimulator, true};
 };
 struct Clock {
   using Type = rosgraph_msgs::msg::Clock;
@@ -148,7 +153,7 @@ struct Px4VehicleOdometry {
 struct Px4VehicleStatus {
   using Type = px4_msgs::msg::VehicleStatus;
   static constexpr TopicInfo info{"fmu/out/vehicle_status", Scope::kPx4, "sensor",
-                                  kAutopilot | kSimulator, true};
+                                  kAutopilot | kSimulator};
 };
 struct Px4VehicleLocalPosition {
   using Type = px4_msgs::msg::VehicleLocalPosition;
@@ -180,6 +185,10 @@ struct Px4ManualControlSetpoint {
   static constexpr TopicInfo info{"fmu/out/manual_control_setpoint", Scope::kPx4, "sensor",
                                   kAutopilot | kSimulator};
 };
+struct Px4TimesyncStatus {
+  using Type = px4_msgs::msg::TimesyncStatus;
+  static constexpr TopicInfo info{"fmu/out/timesync_status", Scope::kPx4, "sensor"};
+};
 struct Px4OffboardControlMode {
   using Type = px4_msgs::msg::OffboardControlMode;
   static constexpr TopicInfo info{"fmu/in/offboard_control_mode", Scope::kPx4, "state", kGate};
@@ -195,13 +204,13 @@ struct Px4VehicleCommand {
 
 /// All of them, for the tests and the monitor.
 using All =
-    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorCameraInfo,
-               Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
-               TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
-               BodySightings, MovingBodies, PredictionPath, PlanPath, Markers, Transforms,
-               StaticTransforms, Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry,
-               Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
-               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
-               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+    std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorImageCompressed,
+               ColorCameraInfo, Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints,
+               TargetIntention, TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand,
+               ServiceHealth, BodySightings, MovingBodies, PredictionPath, PlanPath, Markers,
+               Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
+               Px4VehicleOdometry, Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode,
+               Px4BatteryStatus, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
+               Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

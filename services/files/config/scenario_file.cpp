@@ -9,7 +9,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kFar_m = 1000.0;
-constexpr std::array<std::string_view, 2> kTrackFormats = {"opentraj", "xy"};
+constexpr std::array<std::string_view, 3> kTrackFormats = {"opentraj", "xy", "id_frame_xy"};
 
 void check_extent(YamlReader& r, std::string_view key, const Vec3& min, const Vec3& max) {
   if (!(max - min).array().isFinite().all() || ((max - min).array() <= 0.0).any())

@@ -14,7 +14,7 @@ struct TrackSource {
   std::string file;
   int format = 0;
   int pedestrian = 1;
-  double rate_hz = 25.0;
+  double rate_hz = 0.0;  // 0: as the file says, else 25
   Vec2 offset_m = Vec2::Zero();
 };
 
