@@ -43,7 +43,7 @@ def loops(program):
                           capture_output=True, text=True, check=False)
     lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
     services = json.loads(lines[-1])["services"] if lines else []
-    return {service["name"]: service["loop_max_ms"] for service in services}
+    return {service["service"]: service["loop_max_ms"] for service in services}
 
 
 def fly(program, seconds, folder):

@@ -30,8 +30,8 @@ struct Grant {
 /// Names on the wire, with * for any text, that the role may write on the vehicle's bus.
 std::vector<std::string> writable_topics(Role role, const Names& names);
 
-/// Nobody takes part without an identity, every message is signed, and all but the first words of
-/// discovery are encrypted.
+/// Nobody takes part without an identity, every message is signed, all but the first words of
+/// discovery are encrypted, and no reader can speak in the name of a writer.
 std::string governance_text();
 /// Reads all, writes what its role may write.
 std::string permissions_text(const Grant& grant);
