@@ -107,13 +107,19 @@ bool comes(const FlightSnapshot& p, std::string_view topic) {
   return flow && flow->samples > 0;
 }
 
-// A service's own words of the mount; it alone knows the frames of its images.
+// What hinders a service now, in its own words; empty: nothing.
+std::string trouble_of(const ServiceReport& report) {
+  using foretrack_msgs::msg::ServiceHealth_Constants::STATE_DEGRADED;
+  return report.health.state() == STATE_DEGRADED ? report.health.last_error().c_str() : "";
+}
+
+// A service alone knows the frames of its images.
 std::optional<Finding> check_mount(const FlightSnapshot& p, std::string_view service) {
   const auto* report = p.service(service);
   if (!report) return std::nullopt;
-  const std::string words = report->health.last_error().c_str();
-  if (words.find("where the camera '") == std::string::npos)
-    return fine("mount", fmt::format("{} knows where its camera sits", service));
+  const std::string words = trouble_of(*report);
+  if (words.empty()) return fine("mount", fmt::format("{} knows where its camera sits", service));
+  if (words.find("where the camera '") == std::string::npos) return std::nullopt;
   return fault("mount", fmt::format("{}: {}.", service, words),
                "Publish the transforms from the body to the image's frame on /tf_static, or give "
                "--color-mount and --depth-mount; --base-frame names another body.");
@@ -122,8 +128,8 @@ std::optional<Finding> check_mount(const FlightSnapshot& p, std::string_view ser
 Finding detection(const FlightSnapshot& p) {
   const auto* report = p.service("perception");
   if (!report) return note("detection", "perception does not run.");
-  const std::string words = report->health.last_error().c_str();
-  if (words.find("./run models") != std::string::npos || words.find("network") != std::string::npos)
+  const std::string words = trouble_of(*report);
+  if (words.find("./run models") != std::string::npos)
     return fault("detection", fmt::format("The networks cannot be loaded: {}", words),
                  "`./run models` fetches them.");
   if (p.nobody_in_images)

@@ -127,12 +127,16 @@ void Listener::take_inputs() {
         return value;
       },
       [](const VehicleState&) {});
-  observation_.take_each([this](const foretrack_msgs::msg::TargetObservation& message) {
-    nobody_in_images_ = sees_nobody(message);
-    if (nobody_in_images_) return;
-    if (const auto value = from_idl(message); !value)
-      refusals_[observation_.stats().topic] = value.fault().text;
-  });
+  take_as(
+      observation_,
+      [this](const foretrack_msgs::msg::TargetObservation& message) -> Converted<bool> {
+        nobody_in_images_ = sees_nobody(message);
+        if (nobody_in_images_) return true;
+        const auto value = from_idl(message);
+        if (!value) return value.fault();
+        return true;
+      },
+      [](bool) {});
   take_as(
       px4_status_, [](const px4_msgs::msg::VehicleStatus& message) { return from_idl(message); },
       [this](const AutopilotStatus& status) {

@@ -54,7 +54,10 @@ struct Flight {
   }
   void says(std::string_view service, const std::string& words) {
     for (auto& report : snapshot.services)
-      if (report.health.service().c_str() == service) report.health.last_error(words);
+      if (report.health.service().c_str() == service) {
+        report.health.state(msg::ServiceHealth_Constants::STATE_DEGRADED);
+        report.health.last_error(words);
+      }
   }
   void lose(std::string_view service) {
     std::erase_if(snapshot.services, [&](const ServiceReport& report) {
