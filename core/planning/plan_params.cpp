@@ -61,6 +61,9 @@ ParamRows rows(PlaceParams& p) {
        "levels up to so far from it are tried when it is not free"},
       {"search_clearance_m", &p.search_clearance_m, "m", 0.0, 2.0,
        "clearance of the path beyond the vehicle's radius"},
+      {"narrow_speed_m_s", &p.narrow_speed_m_s, "m/s", 0.1, 20.0,
+       "ways are flown no faster than they have room for what the vehicle leaves its plans by; but "
+       "narrow ones at least so fast, before they are given up"},
       {"search_expansions_max", &p.search_expansions_max, "", 10, 100000,
        "expansions of all waypoint searches of one plan"},
       {"sector_steps", &p.sector_steps, "", 4, 180, "rays in a quarter turn of a visible region"},

@@ -45,6 +45,12 @@ void validate(const OptimizationProblem& problem) {
   if (problem.inner_waypoints.size() + 1 != pieces)
     reject(std::to_string(problem.inner_waypoints.size()) + " inner waypoints for " +
            std::to_string(pieces) + " pieces, expected one fewer");
+  if (!problem.speed_limits_m_s.empty() &&
+      problem.speed_limits_m_s.size() != problem.corridor.size())
+    reject(std::to_string(problem.speed_limits_m_s.size()) + " speed limits for " +
+           std::to_string(problem.corridor.size()) + " polytopes, expected one each or none");
+  for (const double limit_m_s : problem.speed_limits_m_s)
+    if (!std::isfinite(limit_m_s) || limit_m_s <= 0.0) reject("a speed limit is not positive");
   for (const double duration_s : problem.durations_s)
     if (!std::isfinite(duration_s) || duration_s <= 0.0) reject("a duration is not positive");
   for (const Vec3& waypoint : problem.inner_waypoints)

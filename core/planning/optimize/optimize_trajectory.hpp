@@ -41,9 +41,10 @@ struct BodySample {
 struct OptimizationProblem {
   BoundaryState start;
   BoundaryState goal;
-  std::vector<Polytope> corridor;     // M_F polytopes for the vehicle's centre; neighbours overlap
-  std::vector<Vec3> inner_waypoints;  // first guess, K · M_F − 1
-  std::vector<double> durations_s;    // first guess, K · M_F
+  std::vector<Polytope> corridor;  // M_F polytopes for the vehicle's centre; neighbours overlap
+  std::vector<double> speed_limits_m_s;  // within each; none: limits.speed_max_m_s in all
+  std::vector<Vec3> inner_waypoints;     // first guess, K · M_F − 1
+  std::vector<double> durations_s;       // first guess, K · M_F
   std::vector<TargetSample> samples;
   std::vector<BodySample> bodies;      // in the order of their times
   double hull_radius_m = 0.25;         // of the vehicle's ball

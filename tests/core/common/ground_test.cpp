@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/planning/way/ground.hpp"
+#include "core/common/ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,26 @@ TEST(Ground, IsTheTopOfWhatIsBelow) {
   const GridMap map = known_map(world, 0.15);
   EXPECT_NEAR(ground_below_m(map, {0.0, 0.0, 2.0}).value(), 0.6, 0.08);
   EXPECT_NEAR(ground_below_m(map, {3.0, 0.0, 2.0}).value(), 0.0, 1e-9);
+}
+
+// A hedge or a table stands on the ground; a slope and steps are the ground.
+TEST(Ground, WhatIsNarrowIsNone) {
+  World world = testing::empty_world();
+  world.boxes.push_back({{-0.3, -6.0, 0.0}, {0.3, 6.0, 1.3}});
+  world.boxes.push_back({{3.0, -0.5, 0.0}, {4.0, 0.5, 0.8}});
+  const GridMap map = known_map(world, 0.15);
+  EXPECT_NEAR(ground_below_m(map, {0.0, 0.0, 2.0}).value(), 0.0, 1e-9);
+  EXPECT_NEAR(ground_below_m(map, {3.5, 0.0, 2.0}).value(), 0.0, 1e-9);
+}
+
+TEST(Ground, MaySlopeAndHaveSteps) {
+  World world = testing::empty_world();
+  for (int i = 0; i < 20; ++i)  // stairs, 0.3 m deep and 0.15 m high each
+    world.boxes.push_back({{-3.0 + 0.3 * i, -6.0, 0.0}, {4.0, 6.0, 0.15 * (i + 1) - 0.01}});
+  const GridMap map = known_map(world, 0.15);
+  for (double x_m = -2.0; x_m < 2.0; x_m += 0.1)
+    EXPECT_NEAR(ground_below_m(map, {x_m, 0.0, 3.6}).value(), 0.5 * (x_m + 3.0) + 0.08, 0.2) << x_m;
+  EXPECT_NEAR(ground_below_m(map, {-3.1, 0.0, 3.6}).value(), 0.0, 1e-9) << "before the first step";
 }
 
 TEST(Ground, IsNotKnownWhereNobodyHasSeenIt) {
