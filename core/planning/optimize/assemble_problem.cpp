@@ -18,7 +18,7 @@ constexpr double kGoalShiftCost = 0.05;  // of a squared metre away from the pat
 constexpr double kGoalStep_m = 0.25;
 constexpr double kBodyStep_s = 0.1;
 constexpr double kBodyReach_m = 0.6;  // of a trajectory from its searched way, at the same time
-constexpr double kTouch_m = 1e-3;     // below the segment
+constexpr double kBelow_m = 1e-3;     // below the segment
 constexpr int kGoalSteps = 4;
 constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
 constexpr double kBrakingShare = 0.5;    // of the greatest acceleration, for the room to stop
@@ -95,7 +95,7 @@ void keep_altitude(const SearchContext& context, const Vec3& from, const Vec3& t
   for (const Vec3& place : {from, Vec3(0.5 * (from + to)), to})
     if (const std::optional<double> ground_m = ground_below_m(context.map, place))
       floor_m = std::max(floor_m, *ground_m + context.params.body.least_altitude_m);
-  floor_m = std::min({floor_m, from.z() - kTouch_m, to.z() - kTouch_m});
+  floor_m = std::min({floor_m, from.z() - kBelow_m, to.z() - kBelow_m});
   if (std::isfinite(floor_m)) polytope.planes.emplace_back(0.0, 0.0, -1.0, -floor_m);
 }
 

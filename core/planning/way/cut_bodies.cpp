@@ -6,9 +6,9 @@
 namespace foretrack {
 namespace {
 
-constexpr double kStep_s = 0.25;
-constexpr double kWay_m = 0.1;          // beside the segment, that is left to it
-constexpr std::size_t kPlanesMax = 48;  // of one polytope
+constexpr double kBodyTime_s = 0.25;
+constexpr double kWayRoom_m = 0.1;          // beside the segment, that is left to it
+constexpr std::size_t kPlanesOfAll = 48;  // of one polytope
 
 // One segment, and what is beside it.
 struct Beside {
@@ -23,7 +23,7 @@ struct Beside {
   // How much of the gap there is room for; negative: none.
   double gap_m(const Vec3& foot, const MovingBody& body) const {
     const double apart_m = distance_xy(foot, nearest_to(foot));
-    return std::min(params.gap_min_m, apart_m - kWay_m - params.hull_radius_m - body.radius_m);
+    return std::min(params.gap_min_m, apart_m - kWayRoom_m - params.hull_radius_m - body.radius_m);
   }
   bool is_above(const Vec3& foot, const MovingBody& body) const {
     return std::min(from.z(), to.z()) >
@@ -51,10 +51,10 @@ void cut_bodies(const SearchContext& context, const Vec3& from_enu_m, const Vec3
     const double until_s = std::min(to_s, course.horizon_s);
     const auto foot_at = [&](double t_s) { return body.expected_at(context.start_s + t_s); };
     bool apart = true;
-    for (double t_s = from_s; apart && t_s <= until_s; t_s += kStep_s)
+    for (double t_s = from_s; apart && t_s <= until_s; t_s += kBodyTime_s)
       apart = beside.gap_m(foot_at(t_s), body) >= 0.0 && !beside.is_above(foot_at(t_s), body);
-    for (double t_s = from_s; apart && t_s <= until_s; t_s += kStep_s)
-      if (polytope.planes.size() < kPlanesMax) beside.cut(foot_at(t_s), body, polytope);
+    for (double t_s = from_s; apart && t_s <= until_s; t_s += kBodyTime_s)
+      if (polytope.planes.size() < kPlanesOfAll) beside.cut(foot_at(t_s), body, polytope);
   }
 }
 

@@ -148,20 +148,37 @@ TEST(CheckPlan, RefusesAPlanTooNearAnObstacleAndBrakesWhenOneAppearsOnTheWay) {
   EXPECT_LT(loop.vehicle.position_enu_m.x(), 0.6) << "the hull would touch at 0.75";
 }
 
-// The vehicle is pushed about, so that its plans need more room than they did.
+/// A wall along the way, whose face is at y = 0.5.
+GridMap wall_beside() {
+  GridMap map = open_map();
+  for (int z = 0; z < map.size.z(); ++z)
+    for (int y = 0; y < map.size.y(); ++y)
+      for (int x = 0; x < map.size.x(); ++x)
+        if (map.center_of({x, y, z}).y() > 0.5)
+          map.cells[map.offset_of({x, y, z})] = static_cast<std::uint8_t>(Cell::kOccupied);
+  DistanceWorkspace workspace;
+  update_distances(map, workspace);
+  return map;
+}
+
+// The vehicle is pushed aside, so that plans of that speed need more room than they did.
 TEST(CheckPlan, RefusesAPlanInsideOfWhatTheVehicleIsMeasuredToLeaveItsPlansBy) {
+  const GridMap wall = wall_beside();
   for (const bool pushed : {false, true}) {
     Given loop;
-    const GridMap wall = wall_at(1.75);  // the plan ends at 1.25 + x
-    const Vec3 place = loop.vehicle.position_enu_m;
     for (int i = 0; pushed && i < 40; ++i) {
-      loop.vehicle.position_enu_m.y() = i % 2 == 0 ? 0.2 : -0.2;
+      loop.vehicle.position_enu_m.y() = 0.29;
       loop.tick();
     }
-    loop.vehicle.position_enu_m.y() = place.y();
-    EXPECT_EQ(loop.state.deviation.bound_m(0.5, 0.0) > 0.15, pushed);
+    EXPECT_EQ(loop.state.deviation.bound_m(1.0, 0.0) > 0.25, pushed);
+    loop.vehicle.position_enu_m.y() = 0.0;
+    loop.tick();
     loop.extra.map = &wall;
     EXPECT_EQ(loop.give(loop.next_plan()), pushed ? PlanFault::kObstacle : PlanFault::kNone);
+    loop.flown_id = loop.result.plan_id;
+    loop.params.obstacle_most_m = 0.3;
+    loop.state.refused = {};
+    EXPECT_EQ(loop.give(loop.next_plan()), PlanFault::kNone) << "it asks for no more than that";
   }
 }
 

@@ -86,8 +86,8 @@ TEST_F(AssembleProblem, ANarrowWayStaysPassableAndIsFlownSlower) {
   // All that may be flown there has the room of its speed.
   for (double y_m = -0.5; y_m < 0.5; y_m += 0.01) {
     const Vec3 place(-1.0, y_m, kHeight_m);
-    if (problem_.corridor[0].contains(place, -2e-3))
-      EXPECT_GE(c.map.unfree_distance_m(place), context.tube.radius_m(limit_m_s) - 1e-9);
+    if (!problem_.corridor[0].contains(place, -2e-3)) continue;
+    EXPECT_GE(c.map.unfree_distance_m(place), context.tube.radius_m(limit_m_s) - 1e-9);
   }
 }
 
