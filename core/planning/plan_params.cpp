@@ -67,8 +67,6 @@ ParamRows rows(PlaceParams& p) {
       {"search_expansions_max", &p.search_expansions_max, "", 10, 100000,
        "expansions of all waypoint searches of one plan"},
       {"sector_steps", &p.sector_steps, "", 4, 180, "rays in a quarter turn of a visible region"},
-      {"corridor_clearance_m", &p.corridor_clearance_m, "m", 0.0, 1.0,
-       "of the corridor, beyond the vehicle's radius, where there is room"},
       {"corridor_reach_m", &p.corridor_reach_m, "m", 0.1, 5.0,
        "reach of a polytope beyond its segment, horizontally"},
       {"corridor_height_m", &p.corridor_height_m, "m", 0.1, 5.0, "the same, up and down"},

@@ -18,6 +18,7 @@ constexpr double kGoalShiftCost = 0.05;  // of a squared metre away from the pat
 constexpr double kGoalStep_m = 0.25;
 constexpr double kBodyStep_s = 0.1;
 constexpr double kBodyReach_m = 0.6;  // of a trajectory from its searched way, at the same time
+constexpr double kSoft_m = 0.03;   // by which an optimum may leave its corridor
 constexpr double kBelow_m = 1e-3;     // below the segment
 constexpr int kGoalSteps = 4;
 constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
@@ -127,8 +128,8 @@ bool build_corridor(const SearchContext& context, const FlightPath& path,
     clear &= fits;
     keep_altitude(context, from, to, problem.corridor[i]);
     cut_bodies(context, from, to, path.times_s[i], path.times_s[i + 1], problem.corridor[i]);
-    problem.speed_limits_m_s.push_back(
-        std::min(context.tube.speed_within_m_s(radius_m), context.limits.speed_max_m_s));
+    problem.speed_limits_m_s.push_back(std::min(
+        context.tube.speed_within_m_s(radius_m - kSoft_m), context.limits.speed_max_m_s));
   }
   return clear;
 }

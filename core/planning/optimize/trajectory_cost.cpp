@@ -31,8 +31,8 @@ void TrajectoryCost::prepare(const OptimizationProblem& problem, const Optimizer
                     params.speed_weight,
                     params.acceleration_weight,
                     params.corridor_margin_m,
-                    params.limit_fraction * problem.limits.speed_max_m_s,
-                    params.limit_fraction * problem.limits.acceleration_max_m_s2};
+                    params.speed_fraction * problem.limits.speed_max_m_s,
+                    params.acceleration_fraction * problem.limits.acceleration_max_m_s2};
   duration_map_.min_total_s = problem.min_total_duration_s;
   samples_.clear();
   for (const TargetSample& s : problem.samples)

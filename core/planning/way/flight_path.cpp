@@ -15,6 +15,7 @@ constexpr double kOverrun_s = 0.6;          // of way after the horizon that is 
 constexpr double kMinSegment_s = 0.2;
 constexpr double kNarrowShare = 0.4;  // of the speed counted on: so much slower is worth a segment
 constexpr double kStretch_m = 0.6;    // that is at least so long
+constexpr double kWider_m = 0.03;     // than the tube, where there is room
 constexpr double kStarted_m = 0.3;    // of way that is flown whatever is planned
 
 void measure(const std::vector<Vec3>& points, std::vector<double>& arc_m) {
@@ -43,7 +44,7 @@ void schedule(const SearchContext& context, const WaypointPath& way, double star
 }
 
 double widest_m(const SearchContext& context) {
-  return context.tube.radius_m(kSpeedShare * context.limits.speed_max_m_s);
+  return context.tube.radius_m(context.limits.speed_max_m_s) + kWider_m;
 }
 
 void measure_rooms(const SearchContext& context, const WaypointPath& way, FlightPathWorkspace& w) {
@@ -52,16 +53,20 @@ void measure_rooms(const SearchContext& context, const WaypointPath& way, Flight
     w.rooms_m[i] = context.map.unfree_distance_m(way.points[i]);
 }
 
-// Where a segment from there must end: what is narrow is not longer than it is.
+// Where a segment from there must end: what is narrow is not longer than it is. It begins and ends
+// where it is wide.
 std::size_t end_of_stretch(const SearchContext& context, const FlightPathWorkspace& w,
                            std::size_t from, std::size_t end, double longest_m) {
   const double narrow_m =
       context.tube.radius_m(kNarrowShare * kSpeedShare * context.limits.speed_max_m_s);
   const auto is_narrow = [&](std::size_t i) { return w.rooms_m[i] < narrow_m; };
   std::size_t last = from + 1;
-  for (; last < end && w.arc_m[last + 1] - w.arc_m[from] <= longest_m; ++last)
-    if (is_narrow(last + 1) != is_narrow(from + 1) && w.arc_m[last] - w.arc_m[from] > kStretch_m)
-      break;
+  for (bool narrow = is_narrow(last); last < end; ++last) {
+    if (w.arc_m[last + 1] - w.arc_m[from] > longest_m) break;
+    if (is_narrow(last + 1) == narrow) continue;
+    if (w.arc_m[last] - w.arc_m[from] > kStretch_m) return narrow ? last + 1 : last;
+    narrow = true;  // what is short is part of it
+  }
   return last;
 }
 
@@ -100,7 +105,7 @@ void add_segment(const SearchContext& context, const Vec3& from, const Vec3& to,
                  FlightPath& path) {
   const double room = room_m(context, from, to, path.rooms_m.empty());
   const double least_s =
-      std::max(kMinSegment_s, (to - from).norm() / context.tube.speed_within_m_s(room));
+      std::max(kMinSegment_s, (to - from).norm() / context.tube.speed_within_m_s(room - kWider_m));
   path.vertices.push_back(to);
   path.times_s.push_back(std::max(path.times_s.back() + least_s, wanted_s));
   path.rooms_m.push_back(room);

@@ -29,7 +29,7 @@ class AssembleProblem : public ::testing::Test {
     path_.rooms_m.clear();
     for (std::size_t i = 0; i + 1 < path_.vertices.size(); ++i)
       path_.rooms_m.push_back(least_clearance_m(
-          context.map, path_.vertices[i], path_.vertices[i + 1], context.tube.radius_m(2.55)));
+          context.map, path_.vertices[i], path_.vertices[i + 1], context.tube.radius_m(context.limits.speed_max_m_s)));
     return build_corridor(context, path_, workspace_, problem_);
   }
   void guess(const FlatContext& c) {
