@@ -60,9 +60,9 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
                 state.courses);
   const bool searches = state.lost() && expected == PlanReason::kOk;
   const bool slows_down = searches && is_too_fast(start, params);
-  const PlanTask task{input, params,
-                      searches && !slows_down ? limits_of_search(params) : params.limits, start,
-                      state.lost()};
+  const PlanTask task{
+      input, params,       searches && !slows_down ? limits_of_search(params) : params.limits,
+      start, state.lost(), make_tube(params, input.map->resolution_m, state.deviation)};
   if (expected != PlanReason::kOk) return fall_back(state, task, expected, clock);
   if (slows_down) {
     const PlanReason stop = try_stop(state, task, clock);

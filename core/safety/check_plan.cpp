@@ -61,15 +61,23 @@ bool is_near_somebody(const Course& course, double begin_s, std::span<const Cour
   });
 }
 
+bool meets_obstacle(const Course& course, const Situation& now, const PlanCheckParams& p,
+                    const ObstacleRoom& room, double until_s) {
+  return now.around.map && time_at_obstacle(course, *now.around.map, room,
+                                            p.limits.acceleration_m_s2, until_s) >= 0.0;
+}
+
 PlanFault check_around(const PlannedTrajectory& plan, const Situation& now,
                        const PlanCheckParams& p) {
   const Course course(plan, 0.0);
   const double to_end_s = course.duration_s();
   if (!now.around.map && p.needs_map) return PlanFault::kNoMap;
-  if (now.around.map && time_at_obstacle(course, *now.around.map, p.clearances.obstacle_m,
-                                         p.limits.acceleration_m_s2, to_end_s) >= 0.0)
-    return PlanFault::kObstacle;
-  if (time_out_of_bounds(course, now.around.bounds, p.clearances.bounds_m, to_end_s) >= 0.0)
+  const Clearances& c = p.clearances;
+  const ObstacleRoom room{c.vehicle_radius_m, c.obstacle_m,
+                          std::max(c.obstacle_m, c.obstacle_most_m), now.deviation};
+  if (meets_obstacle(course, now, p, room, to_end_s)) return PlanFault::kObstacle;
+  if (time_out_of_bounds(course, now.around, c.bounds_m, to_end_s) >= 0.0 ||
+      time_too_low(course, now.around, c.least_altitude_m, to_end_s) >= 0.0)
     return PlanFault::kBounds;
   const Course stop = stop_of(now, p);
   const Course others[] = {
@@ -94,11 +102,10 @@ PlanFault check_flown(const Situation& now, const PlanCheckParams& params) {
   const Course course(*now.flown, now.moment.now_s - now.flown->start_s);
   const double until_s =
       std::min(params.look_ahead_s, kReaction_s + stop_of(now, params).duration_s());
-  if (now.around.map &&
-      time_at_obstacle(course, *now.around.map, params.clearances.vehicle_radius_m,
-                       params.limits.acceleration_m_s2, until_s) >= 0.0)
+  const double hull_m = params.clearances.vehicle_radius_m;
+  if (meets_obstacle(course, now, params, {hull_m, hull_m, hull_m}, until_s))
     return PlanFault::kObstacle;
-  if (time_out_of_bounds(course, now.around.bounds, 0.0, until_s) >= 0.0) return PlanFault::kBounds;
+  if (time_out_of_bounds(course, now.around, 0.0, until_s) >= 0.0) return PlanFault::kBounds;
   const Course stop[] = {stop_of(now, params)};
   return is_near_somebody(course, now.moment.stamp_now_s, stop, now, params, until_s)
              ? PlanFault::kBody
