@@ -13,6 +13,10 @@ namespace foretrack {
 /// What a cell is, as far as it is known.
 enum class Cell : std::uint8_t { kFree = 0, kOccupied = 1, kUnknown = 2 };
 
+/// Which cells a way may lead through: those that were seen to be free, or all that are not known
+/// to be occupied.
+enum class Passable : std::uint8_t { kSeenFree, kNotOccupied };
+
 /// A dense box of cubic cells with the distances of each cell to what is around it.
 ///
 /// Values lie x fastest, then y, then z. A distance is measured from the middle of a cell to the
@@ -69,6 +73,11 @@ struct GridMap {
   double unfree_distance_m(const Vec3& point_enu_m) const {
     const Eigen::Vector3i i = index_of(point_enu_m);
     return contains(i) ? 0.01 * unfree_distance_cm[offset_of(i)] : 0.0;
+  }
+  /// Distance to what is not passable.
+  double clearance_m(const Vec3& point_enu_m, Passable passable) const {
+    return passable == Passable::kSeenFree ? unfree_distance_m(point_enu_m)
+                                           : occupied_distance_m(point_enu_m);
   }
 };
 

@@ -91,10 +91,16 @@ PlanReason check_candidate(PlanningState& s, const PlanTask& task) {
   return diagnostics.check.reason;
 }
 
-CheckResult check(const PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {
+CheckResult check(const PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory,
+                  Passable passable) {
   trajectory.start_s = task.start.time_s;
-  const CheckInputs inputs{*task.input.map, task.start.state,  task.start.yaw,
-                           &s.courses,      &task.params.body, &task.tube};
+  const CheckInputs inputs{*task.input.map,
+                           task.start.state,
+                           task.start.yaw,
+                           &s.courses,
+                           &task.params.body,
+                           passable,
+                           passable == Passable::kSeenFree ? &task.tube : nullptr};
   return check_trajectory(trajectory, inputs, task.limits, task.params.check);
 }
 

@@ -21,7 +21,8 @@ PlanReason attempt_all(PlanningState& state, const PlanTask& task,
 void aim(PlanningState& state, const PlanTask& task, PlannedTrajectory& trajectory);
 
 /// Checks a trajectory from the task's start, and sets that start.
-CheckResult check(const PlanningState& state, const PlanTask& task, PlannedTrajectory& trajectory);
+CheckResult check(const PlanningState& state, const PlanTask& task, PlannedTrajectory& trajectory,
+                  Passable passable = Passable::kSeenFree);
 
 /// Checks the next candidate as a trajectory from the task's start. The diagnostics keep the
 /// result.

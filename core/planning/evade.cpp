@@ -72,8 +72,8 @@ class Evasions {
   static constexpr std::size_t kCapacity =
       1 + kLengths_m.size() * (1 + kAzimuths * kElevations_rad.size());
 
-  Evasions(PlanningState& s, const PlanTask& task)
-      : task_(task), courses_(s.courses), scratch_(s.evading) {
+  Evasions(PlanningState& s, const PlanTask& task, Passable passable)
+      : task_(task), courses_(s.courses), scratch_(s.evading), passable_(passable) {
     scratch_.start_s = task.start.time_s;
   }
 
@@ -100,7 +100,8 @@ class Evasions {
 
  private:
   void offer(const Vec3& stop, const Vec3& offset) {
-    if (task_.input.map->unfree_distance_m(stop + offset) < task_.params.check.vehicle_radius_m)
+    if (task_.input.map->clearance_m(stop + offset, passable_) <
+        task_.params.check.vehicle_radius_m)
       return;
     if (const auto piece = quickest(task_.start.state, stop + offset, task_.limits))
       add(*piece, offset);
@@ -116,14 +117,16 @@ class Evasions {
   const PlanTask& task_;
   const BodyCourses& courses_;
   PlannedTrajectory& scratch_;
+  Passable passable_;
   std::array<Evasion, kCapacity> found_;
   int count_ = 0;
 };
 
 }  // namespace
 
-std::optional<CheckResult> evade(PlanningState& s, const PlanTask& task, double cost_to_beat) {
-  Evasions evasions(s, task);
+std::optional<CheckResult> evade(PlanningState& s, const PlanTask& task, double cost_to_beat,
+                                 Passable passable) {
+  Evasions evasions(s, task, passable);
   evasions.collect();
   PlannedTrajectory& trajectory = s.evading;
   trajectory.tail_start_s = 0.0;
@@ -131,7 +134,7 @@ std::optional<CheckResult> evade(PlanningState& s, const PlanTask& task, double 
     if (evasion.cost >= cost_to_beat) break;
     trajectory.pieces.assign(1, evasion.piece);
     aim(s, task, trajectory);
-    const CheckResult result = check(s, task, trajectory);
+    const CheckResult result = check(s, task, trajectory, passable);
     if (result.ok() || result.reason == PlanReason::kTooNearTarget) return result;
   }
   return {};

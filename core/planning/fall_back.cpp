@@ -38,7 +38,8 @@ const PlanResult& keep(PlanningState& s, double t_s, PlanReason reason, const St
 std::optional<BodyGaps> gaps_of_rest(const PlanningState& s, const PlanTask& task,
                                      const PlannedTrajectory& flown, double t_s) {
   if (!task.start.on_flown) return {};
-  if (!rest_is_clear(*task.input.map, flown, t_s, kept_clearance_m(task))) return {};
+  if (!rest_is_clear(*task.input.map, flown, t_s, kept_clearance_m(task), s.flown_through))
+    return {};
   return measure_gaps(flown, t_s, s.courses, task.limits, task.params.body);
 }
 
@@ -57,6 +58,26 @@ const PlanResult& brake(PlanningState& s, const PlanTask& task, PlanReason reaso
   braking.status = PlanStatus::kHold;
   braking.reason = reason;
   return s.flown_result();
+}
+
+// Makes the best way out the next candidate, if it costs less: through seen space, or, where
+// whatever else there is comes very near somebody, through what nobody has seen.
+std::optional<Passable> evade_if_better(PlanningState& s, const PlanTask& task, double cost_to_beat,
+                                        double least_gap_m) {
+  std::optional<Passable> taken;
+  for (const Passable passable : {Passable::kSeenFree, Passable::kNotOccupied}) {
+    const bool unseen = passable == Passable::kNotOccupied;
+    if (unseen && least_gap_m >= task.params.body.unseen_gap_m) break;
+    const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat, passable);
+    if (!evasion) continue;
+    std::swap(s.next_result().trajectory, s.evading);
+    s.next_result().diagnostics.check = *evasion;
+    forget_way(s);
+    taken = passable;
+    cost_to_beat = kBetter * evasion->gaps.cost;
+    least_gap_m = evasion->gaps.least_m;
+  }
+  return taken;
 }
 
 // Whether the shortest stop is clear of everybody who moves. Works in state.evading.
@@ -93,15 +114,14 @@ const PlanResult& fall_back(PlanningState& s, const PlanTask& task, PlanReason r
   const bool only_too_near = candidate.reason == PlanReason::kTooNearTarget;
   const bool takes_candidate = only_too_near && candidate.gaps.cost < cost_to_beat;
   if (takes_candidate) cost_to_beat = kBetter * candidate.gaps.cost;
-  const std::optional<CheckResult> evasion = evade(s, task, cost_to_beat);
+  const double least_m = takes_candidate ? candidate.gaps.least_m
+                         : kept          ? kept->least_m
+                                         : -kInfinity;
+  const std::optional<Passable> evades = evade_if_better(s, task, cost_to_beat, least_m);
   clock.lap(PlanStage::kCheck);
-  if (evasion) {
-    std::swap(s.next_result().trajectory, s.evading);
-    s.next_result().diagnostics.check = *evasion;
-    forget_way(s);
-  }
-  if (evasion || takes_candidate) {
+  if (evades || takes_candidate) {
     publish(s, task, 0.0, clock);
+    s.flown_through = evades.value_or(Passable::kSeenFree);
     s.flown_result().trajectory.reason = reason;
     return s.flown_result();
   }

@@ -40,6 +40,7 @@ struct PlanningState {
   // What is flown, and the place where the next candidate is made.
   std::array<PlanResult, 2> results;
   int flown = 0;
+  Passable flown_through = Passable::kSeenFree;  // what the flown trajectory was let through
   PlanResult& flown_result() { return results[flown]; }
   PlanResult& next_result() { return results[1 - flown]; }
 

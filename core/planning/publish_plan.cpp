@@ -35,6 +35,7 @@ const PlanResult& publish(PlanningState& s, const PlanTask& task, double way_beg
   fill_views(s, way_begin_s, task.params.horizon.step_s, trajectory);
   count_work(s, clock, diagnostics);
   s.flown = 1 - s.flown;
+  s.flown_through = Passable::kSeenFree;
   return s.flown_result();
 }
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kReaction_s = 0.4;  // from what is seen to the stop
 constexpr double kNoWorse_m = 0.02;  // that a course nearer to a body may seem
+constexpr double kFlees_m = 0.1;     // by which a way into the unseen must be farther from a body
 
 PlanFault check_time(const PlannedTrajectory& plan, const Situation& now,
                      const PlanCheckParams& p) {
@@ -61,10 +62,35 @@ bool is_near_somebody(const Course& course, double begin_s, std::span<const Cour
   });
 }
 
-bool meets_obstacle(const Course& course, const Situation& now, const PlanCheckParams& p,
-                    const ObstacleRoom& room, double until_s) {
-  return now.around.map && time_at_obstacle(course, *now.around.map, room,
-                                            p.limits.acceleration_m_s2, until_s) >= 0.0;
+// Whether it leads away from a body to which all others come nearer than the floor.
+bool flees(const Course& course, double begin_s, std::span<const Course> others,
+           const Situation& now, const PlanCheckParams& p) {
+  if (!now.around.bodies) return false;
+  return std::ranges::any_of(now.around.bodies->all(), [&](const MovingBody& body) {
+    const auto gap_m = [&](const Course& of, double from_s) {
+      return least_expected_gap_m(of, body, p.clearances.vehicle_radius_m, from_s,
+                                  p.body_horizon_s);
+    };
+    const double own_m = gap_m(course, begin_s);
+    return std::ranges::all_of(others, [&](const Course& other) {
+      const double other_m = gap_m(other, now.moment.stamp_now_s);
+      return other_m < p.clearances.body_m && own_m > other_m + kFlees_m;
+    });
+  });
+}
+
+// What nobody has seen may hold something; somebody who walks into the vehicle is certain.
+bool is_blocked(const Course& course, double begin_s, std::span<const Course> others,
+                const Situation& now, const PlanCheckParams& p, const ObstacleRoom& room,
+                double until_s) {
+  if (!now.around.map) return false;
+  const auto meets = [&](const ObstacleRoom& asked, Passable passable) {
+    return time_at_obstacle(course, *now.around.map, asked, p.limits.acceleration_m_s2, until_s,
+                            passable) >= 0.0;
+  };
+  if (!meets(room, Passable::kSeenFree)) return false;
+  const ObstacleRoom least{room.least_m, room.least_m, room.least_m};
+  return meets(least, Passable::kNotOccupied) || !flees(course, begin_s, others, now, p);
 }
 
 PlanFault check_around(const PlannedTrajectory& plan, const Situation& now,
@@ -72,16 +98,16 @@ PlanFault check_around(const PlannedTrajectory& plan, const Situation& now,
   const Course course(plan, 0.0);
   const double to_end_s = course.duration_s();
   if (!now.around.map && p.needs_map) return PlanFault::kNoMap;
-  const Clearances& c = p.clearances;
-  const ObstacleRoom room{c.vehicle_radius_m, c.obstacle_m,
-                          std::max(c.obstacle_m, c.obstacle_most_m), now.deviation};
-  if (meets_obstacle(course, now, p, room, to_end_s)) return PlanFault::kObstacle;
-  if (time_out_of_bounds(course, now.around, c.bounds_m, to_end_s) >= 0.0 ||
-      time_too_low(course, now.around, c.least_altitude_m, to_end_s) >= 0.0)
-    return PlanFault::kBounds;
   const Course stop = stop_of(now, p);
   const Course others[] = {
       stop, now.flown ? Course(*now.flown, now.moment.now_s - now.flown->start_s) : stop};
+  const Clearances& c = p.clearances;
+  const ObstacleRoom room{c.vehicle_radius_m, c.obstacle_m,
+                          std::max(c.obstacle_m, c.obstacle_most_m), now.deviation};
+  if (is_blocked(course, plan.start_s, others, now, p, room, to_end_s)) return PlanFault::kObstacle;
+  if (time_out_of_bounds(course, now.around, c.bounds_m, to_end_s) >= 0.0 ||
+      time_too_low(course, now.around, c.least_altitude_m, to_end_s) >= 0.0)
+    return PlanFault::kBounds;
   return is_near_somebody(course, plan.start_s, others, now, p, p.body_horizon_s)
              ? PlanFault::kBody
              : PlanFault::kNone;
@@ -102,11 +128,12 @@ PlanFault check_flown(const Situation& now, const PlanCheckParams& params) {
   const Course course(*now.flown, now.moment.now_s - now.flown->start_s);
   const double until_s =
       std::min(params.look_ahead_s, kReaction_s + stop_of(now, params).duration_s());
+  const Course stop[] = {stop_of(now, params)};
   const double hull_m = params.clearances.vehicle_radius_m;
-  if (meets_obstacle(course, now, params, {hull_m, hull_m, hull_m}, until_s))
+  if (is_blocked(course, now.moment.stamp_now_s, stop, now, params, {hull_m, hull_m, hull_m},
+                 until_s))
     return PlanFault::kObstacle;
   if (time_out_of_bounds(course, now.around, 0.0, until_s) >= 0.0) return PlanFault::kBounds;
-  const Course stop[] = {stop_of(now, params)};
   return is_near_somebody(course, now.moment.stamp_now_s, stop, now, params, until_s)
              ? PlanFault::kBody
              : PlanFault::kNone;

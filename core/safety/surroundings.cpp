@@ -93,17 +93,17 @@ double Course::acceleration(double t_s) const {
 }
 
 double time_at_obstacle(const Course& course, const GridMap& map, const ObstacleRoom& room,
-                        double acceleration_m_s2, double until_s) {
+                        double acceleration_m_s2, double until_s, Passable passable) {
   const double step_m = 0.25 * map.resolution_m, diagonal_m = 1.7321 * map.resolution_m;
   const double end_s = std::min(until_s, course.duration_s());
   const Vec3 start = course.position(0.0);
-  const double start_m = map.unfree_distance_m(start);
+  const double start_m = map.clearance_m(start, passable);
   bool leaving = true;
   const double leaving_least_m =
       std::max(start_m - 0.5 * map.resolution_m, start_m < room.least_m ? 0.0 : room.least_m);
   for (double t_s = 0.0;;) {
     const Vec3 p = course.position(t_s);
-    const double clear_m = map.unfree_distance_m(p);
+    const double clear_m = map.clearance_m(p, passable);
     const double asked_m = room.at_m(course.speed(t_s), course.acceleration(t_s));
     leaving = leaving && clear_m < asked_m && (p - start).norm() <= kLeave_m;
     const double least_m = leaving ? leaving_least_m : asked_m;

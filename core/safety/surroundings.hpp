@@ -67,12 +67,13 @@ class Course {
   double braking_m_s2_ = 0.0;
 };
 
-/// The first time at which it leads too near an obstacle, into the unknown or out of the map; −1:
-/// never in its first `until_s`. Looked at so closely that it moves no further than a quarter of a
-/// cell between two looks, or than its clearance. A begin that is too near, or too fast for what is
+/// The first time at which it leads too near what is not passable or out of the map; −1: never in
+/// its first `until_s`. Looked at so closely that it moves no further than a quarter of a cell
+/// between two looks, or than its clearance. A begin that is too near, or too fast for what is
 /// near, is left within a metre, no nearer.
 double time_at_obstacle(const Course& course, const GridMap& map, const ObstacleRoom& room,
-                        double acceleration_m_s2, double until_s);
+                        double acceleration_m_s2, double until_s,
+                        Passable passable = Passable::kSeenFree);
 
 /// The same of the bounds: a begin outside of them is left, no farther outside.
 double time_out_of_bounds(const Course& course, const GateSurroundings& around, double bounds_m,

@@ -141,7 +141,7 @@ void Checker::check_clearance() {
   const double half_cell_m = 0.5 * map.resolution_m, cell_diagonal_m = 1.7321 * map.resolution_m;
   const double step_m = 0.25 * map.resolution_m;
   const Vec3 start = trajectory.pieces.front().position(0.0);
-  const double start_clearance_m = map.unfree_distance_m(start);
+  const double start_clearance_m = map.clearance_m(start, inputs.passable);
   const double widest_m = widest_required_m();
   bool may_be_occupied = start_clearance_m < params.vehicle_radius_m, escaping = true;
   const double escape_least_m =
@@ -149,7 +149,7 @@ void Checker::check_clearance() {
   result.min_clearance_m = start_clearance_m;
   for (double t = 0.0;;) {
     const Vec3 p = trajectory.position(t);
-    const double clearance_m = map.unfree_distance_m(p);
+    const double clearance_m = map.clearance_m(p, inputs.passable);
     result.min_clearance_m = std::min(result.min_clearance_m, clearance_m);
     const double least_m = required_m(t);
     escaping = escaping && clearance_m < least_m;

@@ -6,8 +6,8 @@
 namespace foretrack {
 
 bool rest_is_clear(const GridMap& map, const PlannedTrajectory& trajectory, double t_s,
-                   double required_m) {
-  double allowed_m = std::min(required_m, map.unfree_distance_m(trajectory.position(t_s)));
+                   double required_m, Passable passable) {
+  double allowed_m = std::min(required_m, map.clearance_m(trajectory.position(t_s), passable));
   double begin_s = 0.0;
   for (const QuinticPiece& piece : trajectory.pieces) {
     const double from_s = std::max(t_s - begin_s, 0.0);
@@ -15,7 +15,7 @@ bool rest_is_clear(const GridMap& map, const PlannedTrajectory& trajectory, doub
     if (from_s >= piece.duration_s) continue;
     // By speed: half a cell a step, and some steps even when it hardly moves.
     for (double at_s = from_s;; at_s = std::min(at_s, piece.duration_s)) {
-      const double clearance_m = map.unfree_distance_m(piece.position(at_s));
+      const double clearance_m = map.clearance_m(piece.position(at_s), passable);
       if (clearance_m < allowed_m) return false;
       allowed_m = std::max(allowed_m, std::min(required_m, clearance_m));
       if (at_s >= piece.duration_s) break;

@@ -7,9 +7,9 @@
 
 namespace foretrack {
 
-/// True if the rest of a trajectory, from t_s on, keeps required_m from what is not free, or at
+/// True if the rest of a trajectory, from t_s on, keeps required_m from what is not passable, or at
 /// least comes no nearer than it is at t_s. Points are at most half a cell apart.
 bool rest_is_clear(const GridMap& map, const PlannedTrajectory& trajectory, double t_s,
-                   double required_m);
+                   double required_m, Passable passable = Passable::kSeenFree);
 
 }  // namespace foretrack

@@ -120,6 +120,9 @@ ParamRows rows(GapParams& p) {
        "a trajectory that comes nearer to somebody's expected places fails the check"},
       {"gap_wanted_m", &p.gap_wanted_m, "m", 0.0, 5.0,
        "search and optimiser keep so far from expected places where they can"},
+      {"unseen_gap_m", &p.unseen_gap_m, "m", 0.0, 2.0,
+       "where no way out through seen space keeps so far from somebody's expected places, one "
+       "through unseen space is tried"},
       {"reach_gap_m", &p.reach_gap_m, "m", 0.0, 2.0,
        "kept while the vehicle stops, however bodies turn, stop or start"},
       {"body_horizon_s", &p.body_horizon_s, "s", 0.2, 6.0,

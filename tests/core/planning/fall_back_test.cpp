@@ -76,6 +76,55 @@ TEST(FallBack, SomebodyWhoWalksIntoWhatIsFlownIsEvaded) {
       0.8 * kept);
 }
 
+// Somebody walks along an alley at a vehicle that hovers before its end; what is above is unseen.
+struct DeadEnd : OnePlan {
+  DeadEnd() {
+    world.boxes.push_back({{-9.0, 0.55, 0.0}, {9.0, 0.85, 4.0}});
+    world.boxes.push_back({{-9.0, -0.85, 0.0}, {9.0, -0.55, 4.0}});
+    world.boxes.push_back({{-2.9, -0.85, 0.0}, {-2.6, 0.85, 4.0}});
+    build_map();
+    add_body({-0.2, 0.0, 0.0}, {-1.5, 0.0, 0.0});
+  }
+  void hide_above(double z_m, Cell cell) {
+    for (int z = map.index_of({0.0, 0.0, z_m}).z(); z < map.size.z(); ++z)
+      for (int y = 0; y < map.size.y(); ++y)
+        for (int x = 0; x < map.size.x(); ++x)
+          map.cells[map.offset_of({x, y, z})] = static_cast<std::uint8_t>(cell);
+    DistanceWorkspace workspace;
+    update_distances(map, workspace);
+  }
+  double least_gap_m() {
+    fall_back(state, task(), kWhy, clock);
+    return measure_gaps(state.flown_result().trajectory, 0.0, state.courses, params.limits,
+                        params.body)
+        .least_m;
+  }
+};
+
+TEST(FallBack, WhereEverySeenWayWouldMeetSomebodyItFleesIntoTheUnseen) {
+  DeadEnd open, hidden, closed;
+  hidden.hide_above(1.9, Cell::kUnknown);
+  closed.hide_above(1.9, Cell::kOccupied);
+  EXPECT_GT(open.least_gap_m(), 0.2);
+  EXPECT_EQ(open.state.flown_through, Passable::kSeenFree);
+  EXPECT_GT(hidden.least_gap_m(), 0.2);
+  EXPECT_EQ(hidden.state.flown_through, Passable::kNotOccupied);
+  EXPECT_LT(closed.least_gap_m(), 0.2);
+  EXPECT_EQ(closed.state.flown_through, Passable::kSeenFree);
+}
+
+TEST(FallBack, WhatFleesIntoTheUnseenIsFlownOn) {
+  DeadEnd hidden;
+  hidden.hide_above(1.9, Cell::kUnknown);
+  ASSERT_GT(hidden.least_gap_m(), 0.2);
+  const std::uint64_t id = hidden.state.flown_result().trajectory.id;
+  hidden.wait(0.1);
+  hidden.bodies.bodies[0].position_enu_m.x() -= 0.15;
+  hidden.bodies.bodies[0].stamp_s = hidden.bodies.stamp_s = hidden.input.now_s;
+  fall_back(hidden.state, hidden.task(), kWhy, hidden.clock);
+  EXPECT_EQ(hidden.state.flown_result().trajectory.id, id);
+}
+
 TEST(FallBack, AStopIsTheNextCandidateAndEndsAtRest) {
   OnePlan one;
   one.fly();

@@ -266,6 +266,75 @@ TEST(CheckPlan, PeopleWhoWereHeardOfLongAgoAreNoneAndFarOnesDoNotMatter) {
   EXPECT_EQ(loop.give(loop.next_plan()), PlanFault::kNone);
 }
 
+/// Nobody has seen what is from z on; what is from the ceiling on is occupied.
+GridMap unseen_above(double z_m, double ceiling_m) {
+  GridMap map = open_map();
+  for (int z = 0; z < map.size.z(); ++z)
+    for (int y = 0; y < map.size.y(); ++y)
+      for (int x = 0; x < map.size.x(); ++x) {
+        const double height_m = map.center_of({x, y, z}).z();
+        if (height_m <= z_m) continue;
+        map.cells[map.offset_of({x, y, z})] =
+            static_cast<std::uint8_t>(height_m > ceiling_m ? Cell::kOccupied : Cell::kUnknown);
+      }
+  DistanceWorkspace workspace;
+  update_distances(map, workspace);
+  return map;
+}
+
+/// A vehicle that stands, and a plan that climbs.
+struct Climbs : Given {
+  Climbs() {
+    run(4.0);
+    flown_id = result.plan_id;
+  }
+  PlannedTrajectory plan() {
+    PlannedTrajectory up = still_plan(++last_plan, stamp_now_s() + 0.02, vehicle.position_enu_m);
+    up.pieces[0].coefficients.col(2).tail(3) = 0.7 * Vec3(10.0, -15.0, 6.0);
+    return up;
+  }
+  MovingBodies walker(double distance_m, double speed_m_s) const {
+    return somebody_at({vehicle.position_enu_m.x() + distance_m, 0.0, 0.0}, {-speed_m_s, 0.0, 0.0},
+                       stamp_now_s());
+  }
+};
+
+TEST(CheckPlan, IntoTheUnseenOnlyFromSomebodyWhoWouldWalkIntoTheVehicle) {
+  const GridMap unseen = unseen_above(2.0, 9.0), ceiling = unseen_above(2.0, 2.3);
+  const auto climbing = [](const GridMap& map, double distance_m, double speed_m_s) {
+    Climbs loop;
+    loop.extra.map = &map;
+    const MovingBodies bodies = loop.walker(distance_m, speed_m_s);
+    loop.extra.bodies = &bodies;
+    loop.extra.bodies_at_s = loop.now_s;
+    return loop.give(loop.plan());
+  };
+  EXPECT_EQ(climbing(open_map(), 5.0, 0.0), PlanFault::kNone);
+  EXPECT_EQ(climbing(unseen, 5.0, 0.0), PlanFault::kObstacle) << "nobody comes";
+  EXPECT_EQ(climbing(unseen, 1.8, 1.5), PlanFault::kNone) << "somebody comes";
+  EXPECT_EQ(climbing(ceiling, 1.8, 1.5), PlanFault::kObstacle) << "it is known to be closed";
+  EXPECT_EQ(climbing(unseen, 0.4, 1.5), PlanFault::kObstacle) << "too late: it is no farther away";
+}
+
+TEST(CheckPlan, WhatIsFlownGoesOnIntoTheUnseenWhileAStopWouldBeWalkedInto) {
+  Climbs loop;
+  const GridMap unseen = unseen_above(2.0, 9.0);
+  loop.extra.map = &unseen;
+  MovingBodies bodies = loop.walker(1.8, 1.5);
+  loop.extra.bodies = &bodies;
+  loop.extra.bodies_at_s = loop.now_s;
+  ASSERT_EQ(loop.give(loop.plan()), PlanFault::kNone);
+  while (loop.vehicle.position_enu_m.z() < 2.1) {
+    loop.extra.bodies_at_s = loop.now_s;
+    ASSERT_EQ(loop.tick().mode, SafetyMode::kTrack) << loop.vehicle.position_enu_m.z();
+  }
+  Climbs alone;
+  ASSERT_EQ(alone.give(alone.plan()), PlanFault::kNone);
+  alone.extra.map = &unseen;
+  alone.run(0.15);
+  EXPECT_EQ(alone.result.reason, SafetyReason::kPlanBlocked);
+}
+
 FlightBounds fence_to(double x_m) {
   FlightBounds bounds;
   bounds.corner_count = 4;
