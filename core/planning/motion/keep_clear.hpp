@@ -20,7 +20,7 @@ struct GapParams {
   double gap_wanted_m = 0.8;
   /// where no way out through seen space keeps so far from somebody's expected places, one through
   /// unseen space is tried
-  double unseen_gap_m = 0.2;
+  double unseen_gap_m = 0.3;
   double reach_gap_m = 0.1;  ///< kept while the vehicle stops, however bodies turn, stop or start
   double body_horizon_s = 3.0;          ///< expected places of bodies count so far ahead
   double unlikely_horizon_s = 0.0;      ///< the same, of courses that are not the likeliest
