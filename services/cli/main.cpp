@@ -35,7 +35,6 @@ std::size_t distance(std::string_view a, std::string_view b) {
 void check_command(std::string_view word, const std::vector<foretrack::Command>& commands) {
   const char* nearest = "";
   auto least = std::numeric_limits<std::size_t>::max();
-  if (argc > 1 && *argv[1] != '-') check_command(argv[1], commands);
   for (const auto& command : commands) {
     const auto letters = distance(word, command.name);
     if (letters == 0) return;
