@@ -61,20 +61,18 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-matplotlib, python3-jinja2"
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "foretrack-station, npm, chrony")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/packages/program/postinst
   ${PROJECT_SOURCE_DIR}/deploy/packages/program/prerm ${PROJECT_SOURCE_DIR}/deploy/packages/program/postrm)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "drone that follows a person by reading their intention
- Services over DDS that estimate a person's state from camera landmarks, give
- each intention a probability, predict the paths, and plan a trajectory that
- keeps the person in view; a safety gate in front of a PX4 flight controller,
- a simulator, and tools for operators.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Services over DDS that estimate a person's state from camera landmarks, give
+each intention a probability, predict the paths, and plan a trajectory that
+keeps the person in view; a safety gate in front of a PX4 flight controller,
+a simulator, and tools for operators.")
 
 set(CPACK_DEBIAN_CORE_PACKAGE_NAME foretrack-dev)
 set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS
   "libeigen3-dev, liboctomap-dev, libxnnpack-dev, libpthreadpool-dev")
-set(CPACK_COMPONENT_CORE_DESCRIPTION "libraries, headers and message types of foretrack
- The algorithms of foretrack as static libraries with a CMake package, for
- programs that step them in their own process without DDS, and the IDL files of
- all its topics.")
+set(CPACK_COMPONENT_CORE_DESCRIPTION "Libraries, headers and message types: the algorithms of foretrack as static
+libraries with a CMake package, for programs that step them in their own process without DDS, and the IDL files of
+all its topics.")
 
 set(CPACK_DEBIAN_STATION_PACKAGE_NAME foretrack-station)
 set(CPACK_DEBIAN_STATION_PACKAGE_SECTION misc)
@@ -82,7 +80,6 @@ set(CPACK_DEBIAN_STATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_STATION_PACKAGE_DEPENDS "foretrack (>= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_STATION_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/packages/station/postinst
   ${PROJECT_SOURCE_DIR}/deploy/packages/station/prerm ${PROJECT_SOURCE_DIR}/deploy/packages/station/postrm)
-set(CPACK_COMPONENT_STATION_DESCRIPTION "ground station of foretrack
- The page on which operators watch, record and command vehicles from a browser,
- and the unit that serves it.")
+set(CPACK_COMPONENT_STATION_DESCRIPTION "The ground station: the page on which operators watch, record and command
+vehicles from a browser, and the unit that serves it.")
 include(CPack)

@@ -20,7 +20,7 @@ rm -rf "$root/debs" && mkdir "$root/debs" && cp "$packages"/*.deb "$root/debs"
 
 say "Install"
 inside apt-get update -q
-inside apt-get install -y -q --no-install-recommends /debs/foretrack_*.deb /debs/foretrack-station_*.deb
+inside sh -c 'apt-get install -y -q --no-install-recommends /debs/foretrack_*.deb /debs/foretrack-station_*.deb'
 inside foretrack --version
 inside foretrack fly --scenario open_field --for 3
 [ -e "$root/usr/share/foretrack/page/index.html" ] || fail "no page"

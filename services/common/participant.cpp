@@ -156,9 +156,9 @@ ParticipantSetup set_up_participant(const NodeOptions& options,
   if (factory->get_participant_qos_from_profile("foretrack", setup.qos) != ReturnCode_t::RETCODE_OK)
     throw std::runtime_error("qos/profiles.xml has no participant profile 'foretrack'");
   add_map_limit(setup.qos);
+  const auto points = meet_others(setup.qos, options);
   take_identity(setup.qos, options.security);
   auto& transport = setup.qos.transport();
-  const auto points = meet_others(setup.qos, options);
   const Interfaces chosen{chosen_interfaces(options, transport, points)};
   setup.this_machine_only = reaches_nobody(options, transport, chosen);
   setup.secured =

@@ -35,7 +35,7 @@ class Secured : public ::testing::Test {
   }
   std::string mode() {
     return mode_in(
-        last_json(say(on_domain({"monitor", "--json", "--for", "1.5"}, identities())).text));
+        last_json(say(on_domain({"monitor", "--json", "--for", "4"}, identities())).text));
   }
   bool reaches(const std::string& wanted, double limit_s = 60.0) {
     return eventually([&] { return mode() == wanted; }, limit_s);
