@@ -48,7 +48,8 @@ std::vector<std::string> faults_of_matrix(int width_px, int height_px,
   std::vector<std::string> faults;
   for (const double value : k)
     if (!std::isfinite(value)) return {words(value, " is in it", kExpected)};
-  if (k == std::array<double, 9>{}) return {"all zeros: this camera is not calibrated"};
+  if (k == std::array<double, 9>{})
+    return {"all zeros, as of a camera that is not calibrated; its matrix expected"};
   if (k[6] > 1.0 && k[7] > 1.0 && k[2] == 0.0 && k[5] == 0.0)
     return {
         words("cx ", k[6], " and cy ", k[7], " are in its last row: it is transposed", kExpected)};
@@ -61,11 +62,12 @@ std::vector<std::string> faults_of_matrix(int width_px, int height_px,
   if (std::abs(k[1]) > kMostSkew * k[0] || std::abs(k[3]) > kMostSkew * k[4])
     faults.push_back(words("beside fx and fy stand ", k[1], " and ", k[3], kExpected));
   if (k[0] > kMostAspect * k[4] || k[4] > kMostAspect * k[0])
-    faults.push_back(words("fx is ", k[0], " and fy ", k[4], " px: pixels are nearly square"));
+    faults.push_back(words("fx is ", k[0], " and fy ", k[4],
+                           " px; nearly the same expected, as pixels are nearly square"));
   if (!(k[2] > 0.0 && k[2] < width_px))
-    faults.push_back(words("cx is ", k[2], " px, outside of an image ", width_px, " px wide"));
+    faults.push_back(words("cx is ", k[2], " px, within the image's ", width_px, " px expected"));
   if (!(k[5] > 0.0 && k[5] < height_px))
-    faults.push_back(words("cy is ", k[5], " px, outside of an image ", height_px, " px high"));
+    faults.push_back(words("cy is ", k[5], " px, within the image's ", height_px, " px expected"));
   return faults;
 }
 

@@ -19,7 +19,7 @@
 #include "services/common/rate.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
-#include "services/convert/depth_camera.hpp"
+#include "services/convert/depth_reader.hpp"
 #include "services/operator/flight_snapshot.hpp"
 
 namespace foretrack {

@@ -13,7 +13,7 @@
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "sensor_msgs/msg/PointCloud2.h"
-#include "services/convert/depth_camera.hpp"
+#include "services/convert/depth_reader.hpp"
 #include "services/onboard/camera_mount.hpp"
 #include "services/onboard/camera_sight.hpp"
 #include "services/onboard/inputs.hpp"
@@ -49,7 +49,7 @@ class MappingService {
   Writer<topics::BodySightings> sightings_;
   Writer<topics::OctoMap> octree_;
   Writer<topics::MapPoints> points_;
-  std::optional<DepthCamera> camera_;
+  std::optional<DepthReader> camera_;
   MovingBodies bodies_;
   DepthImage depth_;
   std::string frame_id_;  // of depth_

@@ -12,7 +12,7 @@
 #include "sensor_msgs/msg/CompressedImage.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/convert/color_image.hpp"
-#include "services/convert/depth_camera.hpp"
+#include "services/convert/depth_reader.hpp"
 #include "services/onboard/camera_mount.hpp"
 #include "services/onboard/camera_sight.hpp"
 #include "services/onboard/inputs.hpp"
@@ -73,7 +73,7 @@ class ImageInput {
   std::optional<Reader<topics::DepthCameraInfo>> depth_info_;
   std::optional<Reader<topics::DepthImage>> depth_image_;
   std::optional<CameraWithLens> camera_;
-  std::optional<DepthCamera> depth_camera_;
+  std::optional<DepthReader> depth_camera_;
   std::optional<PoseNetwork> network_;
   PoseState pose_;
   RgbImage rgb_;

@@ -32,8 +32,9 @@ TEST(FaultsOfMatrix, ACamerasMatrixHasNone) {
 TEST(FaultsOfMatrix, SayTheNumbersThatNoCameraHas) {
   const auto faults = [](const Matrix& k) { return faults_of_matrix(640, 480, k); };
   EXPECT_THAT(faults(with({{2, 1320.0}})),
-              ElementsAre(HasSubstr("cx is 1320 px, outside of an image 640 px wide")));
-  EXPECT_THAT(faults(with({{5, -3.0}})), ElementsAre(HasSubstr("480 px high")));
+              ElementsAre(HasSubstr("cx is 1320 px, within the image's 640 px expected")));
+  EXPECT_THAT(faults(with({{5, -3.0}})),
+              ElementsAre(HasSubstr("cy is -3 px, within the image's 480 px expected")));
   EXPECT_THAT(faults({520.0, 0.0, 0.0, 0.0, 520.0, 0.0, 320.0, 240.0, 1.0}),
               ElementsAre(HasSubstr("transposed")));
   EXPECT_THAT(faults(with({{6, 5.0}, {7, 5.0}, {8, 5.0}})),

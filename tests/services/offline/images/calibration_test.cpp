@@ -83,8 +83,9 @@ TEST(LoadCalibration, RefusesNumbersThatNoCameraHas) {
   const auto with_matrix = [&](const char* matrix) {
     return fault_of(replaced(kGood, kMatrix, matrix));
   };
-  EXPECT_THAT(with_matrix("[430, 0, 1320, 0, 430, 227, 0, 0, 1]"),
-              HasSubstr("yaml:5: camera_matrix: cx is 1320 px, outside of an image 640 px wide"));
+  EXPECT_THAT(
+      with_matrix("[430, 0, 1320, 0, 430, 227, 0, 0, 1]"),
+      HasSubstr("yaml:5: camera_matrix: cx is 1320 px, within the image's 640 px expected"));
   EXPECT_THAT(with_matrix("[430, 0, 0, 0, 430, 0, 306, 227, 1]"), HasSubstr("transposed"));
   EXPECT_THAT(with_matrix("[430, 37, 306, 99, 430, 227, 5, 5, 5]"),
               ::testing::AllOf(HasSubstr("last row is 5 5 5"), HasSubstr("37 and 99")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "services/convert/depth_camera.hpp"
+#include "services/convert/depth_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace foretrack {
 namespace {
 
 // What is seen of a wall that ends at 20° to the left, through a barrel.
-TEST(DepthCamera, StraightensWhatALensHasBent) {
+TEST(DepthReader, StraightensWhatALensHasBent) {
   const CameraModel model = CameraModel::from_fov(160, 120, rad(80), rad(64));
   const CameraWithLens camera{model, lens_of("plumb_bob", std::vector{-0.25, 0.05, 0.0, 0.0, 0.0})};
   const double edge_px = model.cx_px - model.fx_px * std::tan(rad(35.0));
@@ -20,7 +20,7 @@ TEST(DepthCamera, StraightensWhatALensHasBent) {
         bent.depth_m[static_cast<std::size_t>(160 * row + column)] = 0.0F;
   sensor_msgs::msg::Image message;
   to_idl(bent, message);
-  DepthCamera with_lens(camera), without({model, {}});
+  DepthReader with_lens(camera), without({model, {}});
   const auto edge_of = [](const DepthImage& image, int row) {
     int column = 0;
     while (image.depth_m[static_cast<std::size_t>(160 * row + column)] == 0.0F) ++column;

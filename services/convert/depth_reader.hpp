@@ -9,9 +9,9 @@ namespace foretrack {
 
 /// Its images come out as a camera without distortion would have them. Cost: for a lens that
 /// distorts, a second at the first image of a camera, 1 ns a pixel afterwards.
-class DepthCamera {
+class DepthReader {
  public:
-  explicit DepthCamera(const CameraWithLens& camera) : camera_(camera) {}
+  explicit DepthReader(const CameraWithLens& camera) : camera_(camera) {}
 
   const CameraModel& model() const { return camera_.camera; }
   /// Whether it is this camera.
