@@ -69,6 +69,10 @@ struct PlannedTrajectory {
   using Type = foretrack_msgs::msg::PlannedTrajectory;
   static constexpr TopicInfo info{"plan/trajectory", Scope::kVehicle, "state"};
 };
+struct TargetSearch {
+  using Type = foretrack_msgs::msg::TargetSearch;
+  static constexpr TopicInfo info{"target/search", Scope::kVehicle, "state"};
+};
 struct SafetyState {
   using Type = foretrack_msgs::msg::SafetyState;
   static constexpr TopicInfo info{"safety/state", Scope::kVehicle, "state"};
@@ -178,7 +182,7 @@ struct Px4VehicleCommand {
 using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorCameraInfo,
                Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
-               TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand, ServiceHealth,
+               TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState, MissionCommand, ServiceHealth,
                BodySightings, MovingBodies, PredictionPath, PlanPath, Markers, Transforms,
                StaticTransforms, Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry,
                Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
