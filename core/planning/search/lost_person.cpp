@@ -16,12 +16,14 @@ constexpr int kViewpointsJudged = 36, kViewpointsAStep = 6;
 constexpr double kBetterViewpoint = 1.25;          // by which another viewpoint must be
 constexpr double kNearFactor = 0.3;       // of a viewpoint's worth, where the person can be beside it
 constexpr double kEscape_m = 0.8;         // on which the way out of a narrow place may be narrow
-constexpr int kGazes = 24;
+constexpr int kGazes = LostPerson::kGazes;
 constexpr double kGazeAhead_s = 0.5;
-constexpr double kAlongWay = 0.02;        // belief that the look along the way is worth
+constexpr double kAlongWay = 0.06;        // belief that the look along the way is worth
 constexpr double kAtViewpoint = 0.3;      // share of a viewpoint's worth, for its own direction
 constexpr double kGazeBetter = 1.2, kGazeLess = 0.003;
-constexpr double kTravelHalf_rad = rad(60.0);
+constexpr double kGlance_s = 0.008;       // belief that a second of not looking there is worth,
+constexpr double kGlanceReach_m = 4.0;    // where the person can be so near
+constexpr double kTravelHalf_rad = rad(40.0);
 constexpr double kNearHorizon_s = 1.0;     // that places near the vehicle count ahead
 constexpr double kWayAhead_m = 1.0, kThere_m = 0.4;
 
@@ -73,6 +75,14 @@ void grow_reach(LostPerson& lost, const SearchStep& step, const PlanningParams& 
              static_cast<int>(kReach_m / ground.resolution_m), may_fly);
 }
 
+void gather_open_cells(LostPerson& lost) {
+  PersonCloud& cloud = lost.cloud;
+  const int count = static_cast<int>(lost.reached.cells.size());
+  for (std::int32_t& cell : cloud.open_cells)
+    cell = lost.reached.cells[cloud.random.integer(0, count - 1)];
+  cloud.open_count = static_cast<int>(cloud.open_cells.size());
+}
+
 void judge(LostPerson& lost, int cell, bool present, const PlanningParams& params) {
   if (lost.reach.steps[cell] == DistanceField::kNever) return;
   const SearchGround& ground = lost.ground;
@@ -80,7 +90,7 @@ void judge(LostPerson& lost, int cell, bool present, const PlanningParams& param
   const double speed_m_s =
       0.5 * (params.view.search_speed_m_s + params.limits.speed_max_m_s);
   const Vec2 at = ground.center_of(cell);
-  Viewpoint view = judge_viewpoint(lost.future, ground, at, way_m / speed_m_s,
+  Viewpoint view = judge_viewpoint(lost.future, ground, lost.reach, at, way_m / speed_m_s,
                                    2.0 * half_view_rad(params), params.search);
   if (may_be_near(ground, at, params.place.distance_low_m)) view.worth *= kNearFactor;
   if (present) view.worth *= kBetterViewpoint;
@@ -125,8 +135,26 @@ void add_gaze(std::array<double, kGazes>& bins, double yaw_rad, double weight) {
   bins[std::clamp(bin, 0, kGazes - 1)] += weight;
 }
 
-void choose_gaze(LostPerson& lost, const Vec2& from, const PlanningParams& params) {
+double gaze_yaw_rad(int i) {
+  return (i + 0.5) * 2.0 * kPi / kGazes - kPi;
+}
+
+// Whoever walks up to the vehicle from a side at which it never looks would run into it.
+void add_glances(LostPerson& lost, const Vec2& from, double yaw_rad, double half_rad, double dt_s,
+                 std::array<double, kGazes>& bins) {
+  for (int i = 0; i < kGazes; ++i) {
+    const bool looks = std::abs(wrap_angle(gaze_yaw_rad(i) - yaw_rad)) < half_rad;
+    lost.unseen_s[i] = looks ? 0.0 : lost.unseen_s[i] + dt_s;
+    const double free_m = free_ahead_m(lost.ground, from, gaze_yaw_rad(i), kPi / kGazes,
+                                       kGlanceReach_m);
+    if (free_m < kGlanceReach_m) bins[i] += kGlance_s * lost.unseen_s[i];
+  }
+}
+
+void choose_gaze(LostPerson& lost, const Vec2& from, double yaw_rad, double dt_s,
+                 const PlanningParams& params) {
   std::array<double, kGazes> bins = belief_around(lost, from, params.search);
+  add_glances(lost, from, yaw_rad, half_view_rad(params), dt_s, bins);
   if (is_there(lost, from))
     add_gaze(bins, lost.viewpoint.worth < 0.0 ? yaw_of(Vec2(lost.likeliest_m - from))
                                               : lost.viewpoint.gaze_rad,
@@ -134,11 +162,10 @@ void choose_gaze(LostPerson& lost, const Vec2& from, const PlanningParams& param
   else
     add_gaze(bins, yaw_of(Vec2(ahead_on_way_m(lost, from) - from)), kAlongWay);
   const double half_rad = half_view_rad(params);
-  const auto seen = [&](double yaw_rad) {
+  const auto seen = [&](double gaze_rad) {
     double sum = 0.0;
     for (int i = 0; i < kGazes; ++i) {
-      const double off_rad =
-          std::abs(wrap_angle((i + 0.5) * 2.0 * kPi / kGazes - kPi - yaw_rad));
+      const double off_rad = std::abs(wrap_angle(gaze_yaw_rad(i) - gaze_rad));
       // Rather in the middle of the image.
       if (off_rad < half_rad) sum += bins[i] * (1.0 - 0.3 * off_rad / half_rad);
     }
@@ -146,8 +173,8 @@ void choose_gaze(LostPerson& lost, const Vec2& from, const PlanningParams& param
   };
   double best = kGazeBetter * seen(lost.gaze_rad) + kGazeLess, gaze_rad = lost.gaze_rad;
   for (int i = 0; i < kGazes; ++i) {
-    const double yaw_rad = (i + 0.5) * 2.0 * kPi / kGazes - kPi;
-    if (const double sum = seen(yaw_rad); sum > best) best = sum, gaze_rad = yaw_rad;
+    if (const double sum = seen(gaze_yaw_rad(i)); sum > best)
+      best = sum, gaze_rad = gaze_yaw_rad(i);
   }
   lost.gaze_rad = gaze_rad;
 }
@@ -203,6 +230,7 @@ void begin_search(LostPerson& lost, const TargetBelief& belief, const SearchStep
   lost.reach.goal = -1;
   lost.near_count = 0;
   lost.free_m = 0.0;
+  lost.unseen_s.fill(0.0);
   lost.gaze_rad = step.vehicle.yaw_rad();
   begin_ground(lost.ground, step.map, seen);
   spread(lost.ground, params.body.body_speed_m_s * std::max(step.now_s - belief.stamp_s, 0.0));
@@ -226,7 +254,7 @@ void believe(LostPerson& lost, const SearchStep& step, const PlanningParams& par
   lost.likeliest_m = likeliest_place_m(lost.cloud);
 
   const Vec2 from = step.from_enu_m.head<2>();
-  choose_gaze(lost, from + kGazeAhead_s * step.velocity_m_s.head<2>(), params);
+  choose_gaze(lost, from + kGazeAhead_s * step.velocity_m_s.head<2>(), yaw_rad, dt_s, params);
   const Vec2 velocity = step.velocity_m_s.head<2>();
   const Vec2 travel = velocity.norm() > 0.5 ? velocity : Vec2(ahead_on_way_m(lost, from) - from);
   lost.free_m = free_ahead_m(lost.ground, from, yaw_of(travel), kTravelHalf_rad,
@@ -238,6 +266,7 @@ void choose_viewpoint(LostPerson& lost, const SearchStep& step, const PlanningPa
   if (lost.judged < 0) {
     grow_reach(lost, step, params);
     if (!lost.reach.complete || lost.reach.goal < 0) return;
+    gather_open_cells(lost);
     foresee(lost.cloud, lost.ground, lost.future);
     lost.best = Viewpoint{};
     lost.judged = 0;

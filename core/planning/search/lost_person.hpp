@@ -32,6 +32,8 @@ struct LostPerson {
   PersonCloud cloud;
   SearchGround ground;
 
+  static constexpr int kGazes = 24;
+  std::array<double, kGazes> unseen_s{};  // directions, since the camera looked there
   double ticked_s = 0.0;
   DistanceField reach;  // of the vehicle, flying
   FieldQueue reached;

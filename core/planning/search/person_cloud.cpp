@@ -12,6 +12,7 @@ constexpr double kLeastSpread_m = 0.1;
 constexpr int kErrandTries = 8;
 constexpr int kErrandExpansions = 25000;             // of errands, in one call
 constexpr double kErrandNear_m = 1.5, kErrandFar_m = 24.0;
+constexpr double kOpenErrands = 0.5;           // share
 constexpr double kStandsShare = 0.3;           // of those who arrive
 constexpr double kStands_s = 4.0;              // mean
 constexpr double kTurnsRound = 0.15;           // as likely as to go straight on
@@ -21,6 +22,7 @@ constexpr double kLeastWalkerWeight = 0.05;          // of the mean
 constexpr double kLeastEvidence = 0.005;
 constexpr double kEvidenceRegained = 1.05;     // a look
 constexpr double kCrowd_m = 1.0;
+constexpr int kDoubted = 1;                    // walkers, in each look
 
 bool is_on_errand(const Walker& w, const PersonCloud& cloud) {
   return w.errand >= 0 && cloud.errands[w.errand].number == w.errand_number;
@@ -78,6 +80,15 @@ void go_on_errand(Walker& w, const DistanceField& way, const SearchGround& groun
   }
 }
 
+int errand_goal(PersonCloud& cloud, const SearchGround& ground) {
+  Random& random = cloud.random;
+  if (cloud.open_count > 0 && random.chance(kOpenErrands))
+    return cloud.open_cells[random.integer(0, cloud.open_count - 1)];
+  const Vec2 from = cloud.walkers[random.integer(0, PersonCloud::kWalkers - 1)].at_m;
+  return ground.cell_of(from + random.uniform(kErrandNear_m, kErrandFar_m) *
+                                   direction_of(random.uniform(-kPi, kPi)));
+}
+
 double pace(const PersonCloud& cloud, Random& random) {
   return std::clamp(cloud.speed_m_s * std::exp(random.normal(0.0, kPaceSigma)), 0.3, 4.0);
 }
@@ -118,6 +129,15 @@ void begin_anywhere(PersonCloud& cloud, const SearchGround& ground) {
   cloud.evidence = 1.0;
 }
 
+// Whatever the walkers were thought to do: the person can be wherever they can have come.
+void doubt(PersonCloud& cloud, const SearchGround& ground) {
+  for (int i = 0; i < kDoubted; ++i) {
+    Walker& w = cloud.walkers[cloud.random.integer(0, PersonCloud::kWalkers - 1)];
+    w.at_m = any_place(ground, cloud.random);
+    choose_errand(w, cloud, ground, cloud.random);
+  }
+}
+
 // Shares the weight of some other walker, and goes somewhere else.
 void replace(Walker& w, PersonCloud& cloud, const SearchGround& ground, double heaviest) {
   for (int i = 0; i < 64; ++i) {
@@ -145,7 +165,7 @@ void begin_cloud(PersonCloud& cloud, const SearchGround& ground, const TargetBel
     errand.way.complete = false;
     ++errand.number;
   }
-  cloud.making = 0;
+  cloud.making = cloud.open_count = 0;
   cloud.evidence = 1.0;
   cloud.queue.cells.clear();
   cloud.queue.next = 0;
@@ -171,11 +191,8 @@ void plan_errands(PersonCloud& cloud, const SearchGround& ground) {
   Errand& errand = cloud.errands[cloud.making];
   const auto walkable = [&](int cell) { return (ground.what[cell] & SearchGround::kWall) == 0; };
   if (errand.way.goal < 0) {
-    const Vec2 middle = cloud.walkers[cloud.random.integer(0, PersonCloud::kWalkers - 1)].at_m;
-    const Vec2 goal = middle + cloud.random.uniform(kErrandNear_m, kErrandFar_m) *
-                                   direction_of(cloud.random.uniform(-kPi, kPi));
-    const int cell = ground.cell_of(goal);
-    if (cell < 0 || !walkable(cell)) return;
+    const int cell = errand_goal(cloud, ground);
+    if (!ground.is_walkable(cell)) return;
     ++errand.number;
     begin_field(errand.way, cloud.queue, cell);
   }
@@ -234,6 +251,7 @@ void look_in_vain(PersonCloud& cloud, const SearchGround& ground, const Vec2& fr
   }
   for (Walker& w : cloud.walkers)
     if (w.weight < kLeastWalkerWeight / PersonCloud::kWalkers) replace(w, cloud, ground, heaviest);
+  doubt(cloud, ground);
 }
 
 Vec2 likeliest_place_m(const PersonCloud& cloud) {

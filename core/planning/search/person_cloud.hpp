@@ -38,6 +38,8 @@ struct PersonCloud {
   std::array<Walker, kWalkers> walkers;
   std::array<Errand, kErrands> errands;
   FieldQueue queue;
+  std::array<std::int32_t, 64> open_cells{};  // some to which the vehicle can fly
+  int open_count = 0;
   int making = 0;         // of the errands
   double speed_m_s = 1.2;  // of the person
   double evidence = 1.0;  // small: they should have been seen, wherever a walker is
@@ -52,7 +54,8 @@ void reserve(PersonCloud& cloud);
 void begin_cloud(PersonCloud& cloud, const SearchGround& ground, const TargetBelief& belief,
                  double now_s, const SearchParams& params);
 
-/// Goes on with the ways of the errands; old errands are given anew. Cost: 0.3 ms.
+/// Goes on with the ways of the errands; old errands are given anew. Half of them lead to where the
+/// vehicle can fly to: who comes back there can be found. Cost: 0.3 ms.
 void plan_errands(PersonCloud& cloud, const SearchGround& ground);
 
 /// One walker goes on. `random` is drawn from.

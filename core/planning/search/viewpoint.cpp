@@ -10,6 +10,7 @@ namespace {
 constexpr double kForesightStep_s = 0.25;
 constexpr int kViewBins = 24;             // of directions
 constexpr double kAsideShare = 0.25;  // that belief beside the angle of view counts
+constexpr double kOutOfReachShare = 0.4;  // that who is seen out of reach counts
 constexpr int kNearBearings = 12;
 
 }  // namespace
@@ -31,8 +32,9 @@ void foresee(const PersonCloud& cloud, const SearchGround& ground, CloudFuture& 
   for (double& weight : future.weight) weight /= std::max(sum, 1e-12);
 }
 
-Viewpoint judge_viewpoint(const CloudFuture& future, const SearchGround& ground, const Vec2& at,
-                          double arrival_s, double view_angle_rad, const SearchParams& params) {
+Viewpoint judge_viewpoint(const CloudFuture& future, const SearchGround& ground,
+                          const DistanceField& reach, const Vec2& at, double arrival_s,
+                          double view_angle_rad, const SearchParams& params) {
   std::array<double, kViewBins> bins{};
   double all = 0.0;
   for (int i = 0; i < CloudFuture::kWalkers; ++i)
@@ -44,7 +46,10 @@ Viewpoint judge_viewpoint(const CloudFuture& future, const SearchGround& ground,
         continue;
       if (span.norm() > params.search_sight_m || !is_in_sight(ground, at, future.at_m[i][k]))
         continue;
-      const double gain = future.weight[i] * std::exp(-time_s / params.search_patience_s);
+      const bool within_reach =
+          reach.steps[ground.cell_of(future.at_m[i][k])] != DistanceField::kNever;
+      const double gain = (within_reach ? 1.0 : kOutOfReachShare) * future.weight[i] *
+                          std::exp(-time_s / params.search_patience_s);
       const int bin = static_cast<int>((yaw_of(span) + kPi) / (2.0 * kPi) * kViewBins);
       bins[std::clamp(bin, 0, kViewBins - 1)] += gain;
       all += gain;

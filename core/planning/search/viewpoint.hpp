@@ -27,9 +27,10 @@ struct Viewpoint {
 
 /// What it is worth to be at a place from arrival_s on, looking in the best direction for a camera of
 /// this angle of view. What would be seen beside that counts a little: the camera can turn. Cost:
-/// 20 µs.
-Viewpoint judge_viewpoint(const CloudFuture& future, const SearchGround& ground, const Vec2& at_m,
-                          double arrival_s, double view_angle_rad, const SearchParams& params);
+/// 20 µs. Who is seen where the vehicle can fly to (`reach`) can be followed, and counts more.
+Viewpoint judge_viewpoint(const CloudFuture& future, const SearchGround& ground,
+                          const DistanceField& reach, const Vec2& at_m, double arrival_s,
+                          double view_angle_rad, const SearchParams& params);
 
 /// True if the person can be within reach_m of the place, in sight of it.
 bool may_be_near(const SearchGround& ground, const Vec2& at_m, double reach_m);

@@ -111,8 +111,7 @@ std::vector<HidingRecord> hidings_of(std::span<const FlightRow> rows, const Worl
       r.begin_s = begin_s;
       r.reappears_s = now_s;
       r.found_s = found_from(rows, i);
-      for (std::size_t k = i; k < rows.size() && rows[k].now_s <= now_s + kFindWithin_s; ++k)
-        gap_m = std::min(gap_m, gap_of(rows[k]));
+      for (std::size_t k = i; k < rows.size(); ++k) gap_m = std::min(gap_m, gap_of(rows[k]));
       r.least_gap_m = gap_m;
     }
     begin_s = -1.0;

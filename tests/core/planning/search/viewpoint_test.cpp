@@ -13,13 +13,16 @@ struct Scene {
   SearchGround ground;
   CloudFuture future;
   SearchParams params;
+  DistanceField reach;
   Scene() {
+    reserve(reach);
+    std::ranges::fill(reach.steps, std::uint16_t{1});
     begin_ground(ground, map, {0.0, 2.0, 1.2});
     future.weight.fill(1.0 / CloudFuture::kWalkers);
     for (auto& walker : future.at_m) walker.fill(Vec2(5.0, 3.0));  // stands beyond the door
   }
   Viewpoint judge(const Vec2& at, double arrival_s) const {
-    return judge_viewpoint(future, ground, at, arrival_s, 1.4, params);
+    return judge_viewpoint(future, ground, reach, at, arrival_s, 1.4, params);
   }
 };
 
