@@ -82,6 +82,10 @@ struct PlannedTrajectory {
   using Type = foretrack_msgs::msg::PlannedTrajectory;
   static constexpr TopicInfo info{"plan/trajectory", Scope::kVehicle, "state", kVehicle};
 };
+struct TargetSearch {
+  using Type = foretrack_msgs::msg::TargetSearch;
+  static constexpr TopicInfo info{"target/search", Scope::kVehicle, "state", kVehicle};
+};
 struct SafetyState {
   using Type = foretrack_msgs::msg::SafetyState;
   static constexpr TopicInfo info{"safety/state", Scope::kVehicle, "state", kGate};
@@ -206,9 +210,9 @@ struct Px4VehicleCommand {
 using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorImageCompressed,
                ColorCameraInfo, Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints,
-               TargetIntention, TargetPrediction, PlannedTrajectory, SafetyState, MissionCommand,
-               ServiceHealth, BodySightings, MovingBodies, PredictionPath, PlanPath, Markers,
-               Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
+               TargetIntention, TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState,
+               MissionCommand, ServiceHealth, BodySightings, MovingBodies, PredictionPath, PlanPath,
+               Markers, Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
                Px4VehicleOdometry, Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode,
                Px4BatteryStatus, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
                Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;

@@ -10,6 +10,7 @@
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
+#include "foretrack_msgs/msg/TargetSearch.h"
 #include "nav_msgs/msg/Path.h"
 #include "octomap_msgs/msg/Octomap.h"
 #include "px4_msgs/msg/BatteryStatus.h"

@@ -30,6 +30,7 @@ struct ScenarioFile {
   std::optional<RandomStops> random_stops;
   std::string octree;
   std::optional<EncounterKind> encounter;  // stages world, walks and vehicle
+  std::optional<HidingKind> hiding;        // stages world, walk and duration
   bool generator_has_seed = false, has_bounds = false, has_resolution = false;
   bool has_shoulder_lead = false;
 };
