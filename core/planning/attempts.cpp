@@ -91,13 +91,8 @@ PlanReason check_candidate(PlanningState& s, const PlanTask& task) {
 CheckResult check(const PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory,
                   Passable passable) {
   trajectory.start_s = task.start.time_s;
-  const CheckInputs inputs{*task.input.map,
-                           task.start.state,
-                           task.start.yaw,
-                           &s.courses,
-                           &task.params.body,
-                           passable,
-                           passable == Passable::kSeenFree ? &task.tube : nullptr};
+  const CheckInputs inputs{*task.input.map, task.start.state,  task.start.yaw,
+                           &s.courses,      &task.params.body, passable};
   return check_trajectory(trajectory, inputs, task.limits, task.params.check);
 }
 

@@ -25,7 +25,7 @@ bool is_within(const QuinticPiece& piece, const FlightLimits& limits) {
   for (int i = 0; i <= kLimitSamples; ++i) {
     const double t_s = piece.duration_s * i / kLimitSamples;
     if (piece.velocity(t_s).norm() > kPlannedShare * limits.speed_max_m_s ||
-        piece.acceleration(t_s).norm() > kPlannedAccelerationShare * limits.acceleration_max_m_s2)
+        piece.acceleration(t_s).norm() > kPlannedShare * limits.acceleration_max_m_s2)
       return false;
   }
   return true;

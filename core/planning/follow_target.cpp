@@ -24,7 +24,7 @@ SearchContext search_context(const PlanTask& task, const FlightSurface& surface,
   const double tolerance_m =
       std::max(std::min(place.ring_tolerance_m, half_band_m), 0.5 * map.resolution_m);
   return {map,         surface,  task.params, task.limits, low_m + half_band_m,
-          tolerance_m, &courses, start_s,     task.tube};
+          tolerance_m, &courses, start_s};
 }
 
 // Where the way begins: at the trajectory's start, or where the stop before it has come to rest.
@@ -79,7 +79,7 @@ PlanReason follow_target(PlanningState& s, const PlanTask& task,
   clock.lap(PlanStage::kPath);
 
   // §V.B: the corridor, the first guess, and what the optimiser is to keep.
-  const bool clear = build_corridor(context, s.path, s.corridor, s.problem);
+  const bool clear = build_corridor(context, s.path, s.deviation, s.corridor, s.problem.corridor);
   guess_trajectory(context, s.path, from, s.expected, s.problem);
   make_samples(context, s.expected, s.ahead, s.path_workspace, from.state, score_decelerate(task),
                s.problem.samples);

@@ -79,12 +79,9 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
   if (lost) add_near_belief(state.search, input.now_s, params.body, state.courses);
   const bool slows_down = searches && is_too_fast(state, start, params);
   const PlanTask task{
-      input,
-      params,
-      searches && !slows_down ? limits_of_search(state, start, params) : params.limits,
-      start,
-      lost,
-      make_tube(params, input.map->resolution_m, state.deviation)};
+      input, params,
+      searches && !slows_down ? limits_of_search(state, start, params) : params.limits, start,
+      lost};
   if (expected == PlanReason::kTargetLost) return wait(state, task, clock);
   if (expected != PlanReason::kOk) return fall_back(state, task, expected, clock);
   if (slows_down) {

@@ -52,15 +52,14 @@ struct PlaceParams {
   double height_above_target_m = 0.1;  ///< wanted height of the vehicle above the target's centre
   double height_search_m = 0.6;      ///< levels up to so far from it are tried when it is not free
   double search_clearance_m = 0.02;  ///< clearance of the path beyond the vehicle's radius
-  /// ways are flown no faster than they have room for what the vehicle leaves its plans by; but
-  /// narrow ones at least so fast, before they are given up
-  double narrow_speed_m_s = 0.5;
   int search_expansions_max = 2000;  ///< expansions of all waypoint searches of one plan
   int sector_steps = 24;             ///< rays in a quarter turn of a visible region
-  double corridor_reach_m = 1.2;     ///< reach of a polytope beyond its segment, horizontally
-  double corridor_height_m = 0.5;    ///< the same, up and down
-  double segment_max_m = 2.5;        ///< length of path in one polytope
-  int polytopes_max = 5;             ///< polytopes of one corridor (M_F)
+  /// of the corridor, beyond the vehicle's radius, where there is room
+  double corridor_clearance_m = 0.03;
+  double corridor_reach_m = 1.2;   ///< reach of a polytope beyond its segment, horizontally
+  double corridor_height_m = 0.5;  ///< the same, up and down
+  double segment_max_m = 2.5;      ///< length of path in one polytope
+  int polytopes_max = 5;           ///< polytopes of one corridor (M_F)
 
   double kept_low_m() const { return distance_low_m + reserve_low_m; }
   double kept_high_m() const { return std::max(distance_high_m - reserve_high_m, kept_low_m()); }

@@ -14,7 +14,6 @@ struct PlanTask {
   FlightLimits limits;  // of the parameters; slower while a lost target is searched for
   PlanStart start;      // where the new trajectory joins what is flown
   bool lost = false;    // the target is searched for
-  Tube tube = {};       // of this vehicle, in this map
 };
 
 }  // namespace foretrack

@@ -15,14 +15,11 @@ constexpr std::size_t kSteps = 128;  // of the prediction
 void reserve(PlanningState& s) {
   s.ahead.way.points.reserve(kPathPoints);
   s.path_workspace.arc_m.reserve(kPathPoints);
-  s.path_workspace.rooms_m.reserve(kPathPoints);
   s.path.vertices.reserve(kMaxPieces);
   s.path.times_s.reserve(kMaxPieces);
-  s.path.rooms_m.reserve(kMaxPieces);
   s.corridor.blocked.reserve(kBlockedCells);
   s.corridor.spare.reserve(4 * kMaxPieces);
   s.problem.corridor.reserve(kMaxPieces);
-  s.problem.speed_limits_m_s.reserve(kMaxPieces);
   s.problem.inner_waypoints.reserve(kMaxPieces);
   s.problem.durations_s.reserve(kMaxPieces);
   s.problem.samples.reserve(kMaxIntentions * kSteps);

@@ -31,8 +31,6 @@ struct Checker {
   void check_clearance();
   void check_gaps();
   double time_to_move(double distance_m, double t) const;
-  double required_m(double t) const;
-  double widest_required_m() const;
 
  private:
   bool joins(const BoundaryState& before, const QuinticPiece& after) const;
@@ -123,17 +121,6 @@ double Checker::time_to_move(double distance_m, double t) const {
   return std::max(by_acceleration, distance_m / std::max(result.max_speed_m_s, 1e-6));
 }
 
-/// Of the distance to what is not free.
-double Checker::required_m(double t) const {
-  if (inputs.tube == nullptr) return params.vehicle_radius_m;
-  return inputs.tube->radius_m(trajectory.velocity(t).norm(), trajectory.acceleration(t).norm());
-}
-
-double Checker::widest_required_m() const {
-  return inputs.tube == nullptr ? params.vehicle_radius_m
-                                : inputs.tube->radius_m(result.max_speed_m_s);
-}
-
 /// Steps of a quarter of a cell, or as far as the clearance itself proves: it changes no faster
 /// than the position does, but for the way from a point to its cell's centre.
 void Checker::check_clearance() {
@@ -142,31 +129,28 @@ void Checker::check_clearance() {
   const double step_m = 0.25 * map.resolution_m;
   const Vec3 start = trajectory.pieces.front().position(0.0);
   const double start_clearance_m = map.clearance_m(start, inputs.passable);
-  const double widest_m = widest_required_m();
-  bool may_be_occupied = start_clearance_m < params.vehicle_radius_m, escaping = true;
-  const double escape_least_m =
-      std::max(start_clearance_m - half_cell_m, may_be_occupied ? 0.0 : params.vehicle_radius_m);
+  bool escaping = start_clearance_m < params.vehicle_radius_m, may_be_occupied = escaping;
   result.min_clearance_m = start_clearance_m;
   for (double t = 0.0;;) {
     const Vec3 p = trajectory.position(t);
     const double clearance_m = map.clearance_m(p, inputs.passable);
     result.min_clearance_m = std::min(result.min_clearance_m, clearance_m);
-    const double least_m = required_m(t);
-    escaping = escaping && clearance_m < least_m;
+    escaping = escaping && clearance_m < params.vehicle_radius_m;
     may_be_occupied = may_be_occupied && map.is_occupied(p);
     const bool enters_occupied = map.is_occupied(p) && !may_be_occupied;
     const bool enters_unfree = clearance_m <= 0.0 && start_clearance_m > 0.0;
-    const bool escapes = escaping && !enters_unfree && clearance_m >= escape_least_m &&
+    const bool escapes = escaping && !enters_unfree &&
+                         clearance_m >= start_clearance_m - half_cell_m &&
                          (p - start).norm() <= params.escape_reach_m;
-    if (enters_occupied || (clearance_m < least_m && !escapes))
+    if (enters_occupied || (clearance_m < params.vehicle_radius_m && !escapes))
       fault(t >= trajectory.tail_start_s ? PlanReason::kTailUnsafe : PlanReason::kClearanceViolated,
             t);
     if (t >= duration_s) break;
     // The distance grid does not know of the map's edge, beyond which nothing is free.
     const Vec3 from_low = p - map.origin_enu_m;
     const Vec3 from_high = map.resolution_m * map.size.cast<double>() - from_low;
-    const double free_m = std::min(
-        {clearance_m - widest_m - cell_diagonal_m, from_low.minCoeff(), from_high.minCoeff()});
+    const double free_m = std::min({clearance_m - params.vehicle_radius_m - cell_diagonal_m,
+                                    from_low.minCoeff(), from_high.minCoeff()});
     t = std::min(t + time_to_move(std::max(free_m, step_m), t), duration_s);
   }
 }

@@ -4,7 +4,6 @@
 
 #include "core/common/grid_map.hpp"
 #include "core/planning/motion/keep_clear.hpp"
-#include "core/planning/motion/tube.hpp"
 
 namespace foretrack {
 
@@ -31,7 +30,6 @@ struct CheckInputs {
   const BodyCourses* courses = nullptr;  // everybody who moves; null: not checked
   const GapParams* body = nullptr;       // with them
   Passable passable = Passable::kSeenFree;
-  const Tube* tube = nullptr;  // the room by speed; null: vehicle_radius_m at any speed
 };
 
 /// The first fault that was found, if there is one, and where.
@@ -48,13 +46,12 @@ struct CheckResult {
 /// Checks, in this order: continuity with what is flown and at joints, rest at the end
 /// (kDiscontinuous); speed and acceleration by the roots of their squares' derivatives and the yaw
 /// plan's rate and acceleration, exact for piecewise constant acceleration (kLimitsViolated);
-/// distance to what is not passable, which must be the tube of the speed there, at points a quarter
-/// of a cell apart or as far as their clearance proves (kClearanceViolated, or kTailUnsafe from
-/// tail_start_s on); the gaps to everybody who moves, on a fixed time step, by measure_gaps()
-/// (kTooNearTarget, whoever it is). A start nearer to obstacles than allowed is accepted as long as
-/// the clearance does not fall below the start's before they are left, within escape_reach_m (nor
-/// below vehicle_radius_m, if it is not there yet); an occupied cell is never accepted to enter.
-/// Throws std::invalid_argument for a trajectory without pieces. Allocates nothing.
+/// distance to what is not passable, at points a quarter of a cell apart or as far as their
+/// clearance proves (kClearanceViolated, or kTailUnsafe from tail_start_s on); the gaps to
+/// everybody who moves, on a fixed time step, by measure_gaps() (kTooNearTarget, whoever it is). A
+/// start nearer to obstacles than allowed is accepted as long as the clearance does not fall below
+/// the start's before they are left, within escape_reach_m; an occupied cell is never accepted to
+/// enter. Throws std::invalid_argument for a trajectory without pieces. Allocates nothing.
 CheckResult check_trajectory(const PlannedTrajectory& trajectory, const CheckInputs& inputs,
                              const FlightLimits& limits, const CheckParams& params);
 

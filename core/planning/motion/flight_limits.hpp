@@ -16,8 +16,6 @@ struct FlightLimits {
 };
 /// Of the limits, in plans: what is flown swings over what is planned, by 5 to 7 % (simulated).
 inline constexpr double kPlannedShare = 0.93;
-/// The same of accelerations, which are corrected by more (simulated: by up to 14 %).
-inline constexpr double kPlannedAccelerationShare = 0.88;
 /// One row for each field: name, unit, range, meaning.
 ParamRows rows(FlightLimits& limits);
 

@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "core/common/ground.hpp"
-#include "core/planning/way/cut_bodies.hpp"
 #include "core/planning/way/map_rays.hpp"
 
 namespace foretrack {
@@ -18,8 +15,6 @@ constexpr double kGoalShiftCost = 0.05;  // of a squared metre away from the pat
 constexpr double kGoalStep_m = 0.25;
 constexpr double kBodyStep_s = 0.1;
 constexpr double kBodyReach_m = 0.6;  // of a trajectory from its searched way, at the same time
-constexpr double kSoft_m = 0.03;   // by which an optimum may leave its corridor
-constexpr double kBelow_m = 1e-3;     // below the segment
 constexpr int kGoalSteps = 4;
 constexpr double kGoalSpeedShare = 0.8;  // of the greatest speed
 constexpr double kBrakingShare = 0.5;    // of the greatest acceleration, for the room to stop
@@ -89,47 +84,39 @@ Vec3 place_at(const FlightPath& path, double t_s) {
   return path.vertices[i] + std::clamp(share, 0.0, 1.0) * (path.vertices[i + 1] - path.vertices[i]);
 }
 
-// The vehicle stays above the least altitude over the ground, or as low as the segment is.
-void keep_altitude(const SearchContext& context, const Vec3& from, const Vec3& to,
-                   Polytope& polytope) {
-  double floor_m = -std::numeric_limits<double>::infinity();
-  for (const Vec3& place : {from, Vec3(0.5 * (from + to)), to})
-    if (const std::optional<double> ground_m = ground_below_m(context.map, place))
-      floor_m = std::max(floor_m, *ground_m + context.params.body.least_altitude_m);
-  floor_m = std::min({floor_m, from.z() - kBelow_m, to.z() - kBelow_m});
-  if (std::isfinite(floor_m)) polytope.planes.emplace_back(0.0, 0.0, -1.0, -floor_m);
+// The hull, what the vehicle leaves its plan by, and the map's own error.
+double tube_radius_m(const SearchContext& context, const DeviationBound& deviation,
+                     double speed_m_s) {
+  const FlightLimits& limits = context.limits;
+  const double bound_m = std::max(deviation.bound_m(speed_m_s, 0.0),
+                                  deviation.bound_m(speed_m_s, limits.acceleration_max_m_s2));
+  return context.params.body.hull_radius_m + bound_m + 0.5 * context.map.resolution_m;
 }
 
 }  // namespace
 
 bool build_corridor(const SearchContext& context, const FlightPath& path,
-                    CorridorWorkspace& workspace, OptimizationProblem& problem) {
-  const PlaceParams& place = context.params.place;
+                    const DeviationBound& deviation, CorridorWorkspace& workspace,
+                    std::vector<Polytope>& corridor) {
   const double checked_m = context.params.check.vehicle_radius_m;
-  CorridorParams params{checked_m, place.corridor_reach_m, place.corridor_height_m};
-  resize_polytopes(workspace, problem.corridor, path.vertices.size() - 1);
-  problem.speed_limits_m_s.clear();
+  CorridorParams params{checked_m, context.params.place.corridor_reach_m,
+                        context.params.place.corridor_height_m};
+  resize_polytopes(workspace, corridor, path.vertices.size() - 1);
   bool clear = true;
-  for (std::size_t i = 0; i < problem.corridor.size(); ++i) {
+  for (std::size_t i = 0; i < corridor.size(); ++i) {
     const Vec3 &from = path.vertices[i], &to = path.vertices[i + 1];
     // A place that is nearer to obstacles than allowed may be left, but not nearer to them.
     const double most_m =
         std::min(context.map.unfree_distance_m(from), context.map.unfree_distance_m(to));
     const auto decompose = [&](double radius_m) {
       params.vehicle_radius_m = std::min(radius_m, most_m);
-      return decompose_segment(context.map, from, to, params, workspace, problem.corridor[i]);
+      return decompose_segment(context.map, from, to, params, workspace, corridor[i]);
     };
-    double radius_m = std::max(path.rooms_m[i], checked_m);
-    bool fits = decompose(radius_m);
-    while (!fits && radius_m > checked_m) {
-      radius_m = std::max(radius_m - 0.5 * context.map.resolution_m, checked_m);
-      fits = decompose(radius_m);
-    }
-    clear &= fits;
-    keep_altitude(context, from, to, problem.corridor[i]);
-    cut_bodies(context, from, to, path.times_s[i], path.times_s[i + 1], problem.corridor[i]);
-    problem.speed_limits_m_s.push_back(std::min(
-        context.tube.speed_within_m_s(radius_m - kSoft_m), context.limits.speed_max_m_s));
+    // Between its ends the way may be narrower.
+    const double speed_m_s = (to - from).norm() / (path.times_s[i + 1] - path.times_s[i]);
+    const double wanted_m = checked_m + context.params.place.corridor_clearance_m;
+    clear &= decompose(std::max(tube_radius_m(context, deviation, speed_m_s), wanted_m)) ||
+             decompose(wanted_m) || decompose(checked_m);
   }
   return clear;
 }

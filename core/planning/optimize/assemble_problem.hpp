@@ -2,6 +2,7 @@
 // The optimisation problem of one plan: corridor, first guess, boundary states.
 #pragma once
 
+#include "core/planning/motion/deviation_bound.hpp"
 #include "core/planning/motion/plan_start.hpp"
 #include "core/planning/optimize/optimize_trajectory.hpp"
 #include "core/planning/see/look_ahead.hpp"
@@ -9,13 +10,13 @@
 
 namespace foretrack {
 
-/// Makes one polytope of free space for each segment of the path (paper: F), clear of bodies that
-/// stay beside it, and its speed limit. It keeps as far from obstacles as the widest tube where
-/// there is room; elsewhere as far as the segment does, and the speed limit is that of a tube which
-/// is no wider. Where a segment begins or ends too near to obstacles, its polytope comes no nearer
-/// to them than that. False if a segment touches what the vehicle may not enter.
+/// Makes one polytope of free space for each segment of the path (paper: F). Where there is room,
+/// it keeps as far from obstacles as the vehicle leaves plans of that speed; elsewhere, as far as
+/// the check asks. Where a segment begins or ends too near to obstacles, its polytope comes no
+/// nearer to them than that. False if a segment touches what the vehicle may not enter.
 bool build_corridor(const SearchContext& context, const FlightPath& path,
-                    CorridorWorkspace& workspace, OptimizationProblem& problem);
+                    const DeviationBound& deviation, CorridorWorkspace& workspace,
+                    std::vector<Polytope>& corridor);
 
 /// Writes the first guess and the boundary states.
 /// - Waypoints: the path's vertices, and the middles of its segments.

@@ -45,12 +45,6 @@ void validate(const OptimizationProblem& problem) {
   if (problem.inner_waypoints.size() + 1 != pieces)
     reject(std::to_string(problem.inner_waypoints.size()) + " inner waypoints for " +
            std::to_string(pieces) + " pieces, expected one fewer");
-  if (!problem.speed_limits_m_s.empty() &&
-      problem.speed_limits_m_s.size() != problem.corridor.size())
-    reject(std::to_string(problem.speed_limits_m_s.size()) + " speed limits for " +
-           std::to_string(problem.corridor.size()) + " polytopes, expected one each or none");
-  for (const double limit_m_s : problem.speed_limits_m_s)
-    if (!std::isfinite(limit_m_s) || limit_m_s <= 0.0) reject("a speed limit is not positive");
   for (const double duration_s : problem.durations_s)
     if (!std::isfinite(duration_s) || duration_s <= 0.0) reject("a duration is not positive");
   for (const Vec3& waypoint : problem.inner_waypoints)
@@ -144,10 +138,8 @@ ParamRows rows(OptimizerParams& p) {
       {"height_weight", &p.height_weight, "1/m3", 0.0, 1e9, "of leaving the height band"},
       {"gap_weight", &p.gap_weight, "1/m3", 0.0, 1e9,
        "of coming nearer than gap_wanted_m to somebody who moves"},
-      {"speed_fraction", &p.speed_fraction, "", 0.1, 1.0,
-       "where the speed penalties begin, of the limit"},
-      {"acceleration_fraction", &p.acceleration_fraction, "", 0.1, 1.0,
-       "where the acceleration penalties begin, of the limit"},
+      {"limit_fraction", &p.limit_fraction, "", 0.1, 1.0,
+       "where the speed and acceleration penalties begin, of the limits"},
       {"corridor_margin_m", &p.corridor_margin_m, "m", 0.0, 1.0,
        "penalties begin this far inside the corridor"},
       {"relative_decrease", &p.relative_decrease, "", 0.0, 1.0,

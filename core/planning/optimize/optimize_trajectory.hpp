@@ -41,10 +41,9 @@ struct BodySample {
 struct OptimizationProblem {
   BoundaryState start;
   BoundaryState goal;
-  std::vector<Polytope> corridor;  // M_F polytopes for the vehicle's centre; neighbours overlap
-  std::vector<double> speed_limits_m_s;  // within each; none: limits.speed_max_m_s in all
-  std::vector<Vec3> inner_waypoints;     // first guess, K · M_F − 1
-  std::vector<double> durations_s;       // first guess, K · M_F
+  std::vector<Polytope> corridor;     // M_F polytopes for the vehicle's centre; neighbours overlap
+  std::vector<Vec3> inner_waypoints;  // first guess, K · M_F − 1
+  std::vector<double> durations_s;    // first guess, K · M_F
   std::vector<TargetSample> samples;
   std::vector<BodySample> bodies;      // in the order of their times
   double hull_radius_m = 0.25;         // of the vehicle's ball
@@ -66,9 +65,8 @@ struct OptimizerParams {
   double distance_weight = 1.0e5;         ///< of leaving the distance band
   double height_weight = 1.0e3;           ///< of leaving the height band
   double gap_weight = 4.0e5;  ///< of coming nearer than gap_wanted_m to somebody who moves
-  double speed_fraction = kPlannedShare;  ///< where the speed penalties begin, of the limit
-  /// where the acceleration penalties begin, of the limit
-  double acceleration_fraction = kPlannedAccelerationShare;
+  /// where the speed and acceleration penalties begin, of the limits
+  double limit_fraction = 0.93;
   double corridor_margin_m = 0.03;    ///< penalties begin this far inside the corridor
   double relative_decrease = 3.0e-4;  ///< stop when the cost decreases less over three iterations
   int iterations_max = 60;            ///< most iterations

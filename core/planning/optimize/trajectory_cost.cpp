@@ -31,8 +31,8 @@ void TrajectoryCost::prepare(const OptimizationProblem& problem, const Optimizer
                     params.speed_weight,
                     params.acceleration_weight,
                     params.corridor_margin_m,
-                    params.speed_fraction * problem.limits.speed_max_m_s,
-                    params.acceleration_fraction * problem.limits.acceleration_max_m_s2};
+                    params.limit_fraction * problem.limits.speed_max_m_s,
+                    params.limit_fraction * problem.limits.acceleration_max_m_s2};
   duration_map_.min_total_s = problem.min_total_duration_s;
   samples_.clear();
   for (const TargetSample& s : problem.samples)
@@ -75,17 +75,6 @@ void TrajectoryCost::set_trajectory(const Variables& x) {
   solve(minco_);
 }
 
-// In a narrow polytope the speed limit is lower, and as steep.
-PieceWeights TrajectoryCost::weights_of(int piece) const {
-  PieceWeights weights = piece_weights_;
-  if (problem_->speed_limits_m_s.empty()) return weights;
-  const double share =
-      problem_->speed_limits_m_s[piece / kPiecesPerPolytope] / problem_->limits.speed_max_m_s;
-  weights.speed_limit_m_s *= share;
-  weights.speed /= share * share * share;
-  return weights;
-}
-
 void TrajectoryCost::slow_down(double factor) {
   for (int i = 0; i < minco_.pieces; ++i) minco_.durations_s[i] *= factor;
   solve(minco_);
@@ -98,7 +87,7 @@ double TrajectoryCost::evaluate(const Variables& x, Variables& gradient) {
   double cost = 0.0;
   for (int i = 0; i < n; ++i) {
     const Polytope& polytope = problem_->corridor[i / kPiecesPerPolytope];
-    cost += add_piece_penalties(minco_, i, polytope, weights_of(i), gradient_);
+    cost += add_piece_penalties(minco_, i, polytope, piece_weights_, gradient_);
     cost += params_.time_weight * minco_.durations_s[i];
     gradient_.durations[i] += params_.time_weight;
   }

@@ -38,7 +38,6 @@ class TrajectoryCost : public CostFunction {
   /// The minimum of the smoothness and the squared distance to the given waypoints.
   void smooth_first_guess();
   void add_sample(const PreparedSample& prepared, const Vec3& p, PointPenalty& sum) const;
-  PieceWeights weights_of(int piece) const;
   double add_points();
   /// What shifts of the local times by earlier durations cost, summed over each
   /// piece.

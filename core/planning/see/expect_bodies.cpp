@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/ground.hpp"
+#include "core/planning/way/ground.hpp"
 
 namespace foretrack {
 namespace {

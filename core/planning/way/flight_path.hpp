@@ -19,22 +19,18 @@ struct WaypointPath {
 struct FlightPath {
   std::vector<Vec3> vertices;  // one more than segments
   std::vector<double> times_s;
-  std::vector<double> rooms_m;  // around each segment, as far as a tube may be wide
 };
 
 /// Workspace of make_flight_path.
 struct FlightPathWorkspace {
   std::vector<double> arc_m;       // of the points
   std::vector<double> schedule_m;  // arc at t_k that the vehicle can reach
-  std::vector<double> rooms_m;     // around the points
 };
 
 /// Straightens the way into at most polytopes_max segments of at most about segment_max_m, and
 /// times the vertices: at t_k the vehicle is at waypoint k if it can be there, starting with
-/// start_speed_m_s, and is in a narrow segment for as long as the tube allows. What is straightened
-/// comes no nearer to obstacles than the way does, or than the widest tube. Narrow stretches of way
-/// are segments of their own. Times increase by at least min_segment_s and end at the horizon or
-/// later. The way is cut where the vehicle cannot be until well after the horizon.
+/// start_speed_m_s. Times increase by at least min_segment_s and end at the horizon or later. The
+/// way is cut where the vehicle cannot be until well after the horizon.
 void make_flight_path(const SearchContext& context, const WaypointPath& way, double start_speed_m_s,
                       FlightPathWorkspace& workspace, FlightPath& path);
 

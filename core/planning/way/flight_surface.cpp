@@ -4,16 +4,13 @@
 #include <array>
 #include <limits>
 
-#include "core/common/ground.hpp"
+#include "core/planning/way/ground.hpp"
 #include "core/planning/way/map_rays.hpp"
 
 namespace foretrack {
 namespace {
 
 constexpr int kBearings = 8;
-constexpr double kNoGround = -std::numeric_limits<double>::infinity();
-constexpr double kGroundStep_m = 0.5;  // along the way to the target
-constexpr int kGroundSteps = 12;
 constexpr double kTorsoLeast_m = 0.3;  // a torso is at least so high above the ground
 constexpr double kHysteresis = 1.5;    // free places by which another level must be better
 
@@ -36,35 +33,12 @@ double free_places(const GridMap& map, const Vec3& start, const Vec3& target, do
 constexpr std::array<double, 1 + kOtherLevels> kShares = {0.0,     -1.0 / 3, 1.0 / 3, -2.0 / 3,
                                                           2.0 / 3, -1.0,     1.0};
 
-// The ground below the target, but not the person in the map.
-double ground_of_target_m(const GridMap& map, const Vec3& target) {
-  const double ground_m = ground_below_m(map, target).value_or(kNoGround);
-  return ground_m < target.z() - kTorsoLeast_m ? ground_m : kNoGround;
-}
-
-// The highest ground on the way to the target, and below the vehicle. What rises to where the way
-// would be is in its way, and no ground.
-double highest_ground_m(const GridMap& map, const Vec3& start, const Vec3& target) {
-  double highest_m = ground_of_target_m(map, target);
-  const double top_m = std::min(start.z(), target.z());
-  const int steps = static_cast<int>(std::ceil(distance_xy(start, target) / kGroundStep_m));
-  for (int i = 0; i < std::min(steps, kGroundSteps); ++i) {
-    const Vec3 place = start + (static_cast<double>(i) / steps) * (target - start);
-    if (map.is_occupied(place)) continue;
-    const double ground_m = ground_below_m(map, place).value_or(kNoGround);
-    if (ground_m < top_m) highest_m = std::max(highest_m, ground_m);
-  }
-  return highest_m;
-}
-
-// Ground that rises on the way lifts the level no higher than other levels are looked for.
-double lowest_level_m(const GridMap& map, const Vec3& start, const Vec3& target,
-                      const PlanningParams& params) {
-  const double least_m = params.body.least_altitude_m;
-  const double highest_m =
-      target.z() + params.place.height_above_target_m + params.place.height_search_m;
-  return std::max(std::min(highest_ground_m(map, start, target) + least_m, highest_m),
-                  ground_of_target_m(map, target) + least_m);
+double lowest_level_m(const GridMap& map, const Vec3& target, const PlanningParams& params) {
+  const std::optional<double> ground_m = ground_below_m(map, target);
+  const bool below =
+      ground_m && *ground_m < target.z() - kTorsoLeast_m;  // not the person in the map
+  return below ? *ground_m + params.body.least_altitude_m
+               : -std::numeric_limits<double>::infinity();
 }
 
 double level_of(double share, double lowest_m, const Vec3& target, const PlanningParams& params) {
@@ -76,7 +50,7 @@ double level_of(double share, double lowest_m, const Vec3& target, const Plannin
 
 FlightSurface choose_flight_surface(const GridMap& map, const Vec3& start_enu_m,
                                     const Vec3& target_enu_m, const PlanningParams& params) {
-  const double lowest_m = lowest_level_m(map, start_enu_m, target_enu_m, params);
+  const double lowest_m = lowest_level_m(map, target_enu_m, params);
   FlightSurface surface{start_enu_m.head<2>(), start_enu_m.z(), target_enu_m.z()};
   double best = -1.0;
   for (const double share : kShares) {
@@ -96,7 +70,7 @@ std::optional<FlightSurface> other_flight_surface(const GridMap& map, const Vec3
   // Upwards first: what a person walks under or past is more often low than
   // high.
   constexpr std::array<std::size_t, kOtherLevels> kOrder = {2, 4, 6, 1, 3, 5};
-  const double lowest_m = lowest_level_m(map, start_enu_m, target_enu_m, params);
+  const double lowest_m = lowest_level_m(map, target_enu_m, params);
   const double level_m =
       level_of(kShares[kOrder[static_cast<std::size_t>(i)]], lowest_m, target_enu_m, params);
   const Vec3 there(start_enu_m.x(), start_enu_m.y(), level_m);

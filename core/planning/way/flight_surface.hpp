@@ -29,9 +29,8 @@ struct FlightSurface {
 
 /// The level is the wanted height above the target; if little is free there around the vehicle and
 /// the target, the nearest level within height_search_m that is freer. No level is lower than
-/// least_altitude_m above the ground below the target, and, up to height_search_m, above the
-/// highest ground below the vehicle and on the straight way to the target: ground may slope and
-/// have steps. What the map does not know of the ground does not count. Cost: some hundred lookups.
+/// least_altitude_m above the ground below the target, as far as the map knows that ground. Cost: <
+/// 100 lookups.
 FlightSurface choose_flight_surface(const GridMap& map, const Vec3& start_enu_m,
                                     const Vec3& target_enu_m, const PlanningParams& params);
 

@@ -90,17 +90,4 @@ bool is_clear(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, 
   return true;
 }
 
-double least_clearance_m(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m,
-                         double most_m) {
-  const Ray ray(map, map.unfree_distance_cm, from_enu_m, to_enu_m);
-  const double slack_m = 2.0 * kSlackCells * map.resolution_m;
-  double least_m = most_m;
-  for (double at_m = 0.0; at_m <= ray.length_m;) {
-    const double here_m = 0.01 * std::max(ray.at(at_m), 0);
-    least_m = std::min(least_m, here_m);
-    at_m += std::max(here_m - least_m - slack_m, ray.to_next_cell_m(at_m, 1.0));
-  }
-  return least_m;
-}
-
 }  // namespace foretrack

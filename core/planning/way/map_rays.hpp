@@ -15,9 +15,4 @@ bool sees(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, doub
 /// space, by the value of the cell that holds it. Cost: about 3–10 lookups.
 bool is_clear(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m, double required_m);
 
-/// The least distance on the segment to occupied, unknown and outside space, in the same way; at
-/// most most_m. Cost: about 3–20 lookups.
-double least_clearance_m(const GridMap& map, const Vec3& from_enu_m, const Vec3& to_enu_m,
-                         double most_m);
-
 }  // namespace foretrack

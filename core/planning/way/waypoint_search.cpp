@@ -13,12 +13,7 @@ constexpr int kWindow = 256;                 // cells a side
 constexpr double kNearBodyFactor = 8.0;      // cost of way through somebody, less towards the gap
 constexpr double kNearby_m = 6.0;            // bodies farther from the target do not matter
 constexpr double kLowClearanceFactor = 1.0;  // cost of way beside obstacles
-constexpr double kSearchedSpeedShare = 0.7;  // of the greatest speed: ways are searched for it
 constexpr double kGreed = 1.15;  // of the heuristic: fewer expansions for a slightly longer way
-
-double fastest_m_s(const FlightLimits& limits) {
-  return kSearchedSpeedShare * limits.speed_max_m_s;
-}
 
 // One search. Nodes are cells of the window; the goal is a ring, so the distance to the ring is the
 // heuristic (a lower bound: every metre of way costs at least 1).
@@ -33,9 +28,6 @@ class RingSearch {
         wanted_m_(context.wanted_distance_m),
         tolerance_m_(context.ring_tolerance_m),
         body_(context.params.body),
-        tube_(context.tube),
-        wide_cm_(static_cast<int>(100.0 * context.tube.radius_m(fastest_m_s(context.limits)))),
-        fastest_m_s_(fastest_m_s(context.limits)),
         required_cm_(
             static_cast<int>(std::ceil(100.0 * context.params.path_clearance_m() - 1e-6))) {
     if (context.courses == nullptr) return;
@@ -165,14 +157,7 @@ class RingSearch {
 
   double cost_factor(const Vec2& xy, int clearance) const {
     const double low = std::max(0.0, 1.0 - clearance / (2.0 * required_cm_));
-    return slowness(clearance) + kLowClearanceFactor * low +
-           kNearBodyFactor * nearness(surface_.at(xy));
-  }
-
-  // How many times longer it takes than in the open.
-  double slowness(int clearance) const {
-    if (clearance >= wide_cm_) return 1.0;
-    return std::max(1.0, fastest_m_s_ / tube_.speed_within_m_s(0.01 * clearance));
+    return 1.0 + kLowClearanceFactor * low + kNearBodyFactor * nearness(surface_.at(xy));
   }
 
   struct Nearby {
@@ -203,9 +188,6 @@ class RingSearch {
   const Vec3 target_;
   const double skip_m_, wanted_m_, tolerance_m_;
   const GapParams& body_;
-  const Tube& tube_;
-  const int wide_cm_;
-  const double fastest_m_s_;
   const int required_cm_;
   std::array<Nearby, BodyCourses::kCapacity> nearby_;
   int nearby_count_ = 0;

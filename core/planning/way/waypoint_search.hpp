@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/planning/motion/keep_clear.hpp"
-#include "core/planning/motion/tube.hpp"
 #include "core/planning/way/flight_surface.hpp"
 
 namespace foretrack {
@@ -45,7 +44,6 @@ struct SearchContext {
   double ring_tolerance_m = 0.2;         // its half width
   const BodyCourses* courses = nullptr;  // everybody who moves; null: nobody
   double start_s = 0.0;                  // absolute time at which the way begins
-  Tube tube = {};                        // by which narrow ways are flown slower
 };
 
 /// What a waypoint was found for.
@@ -63,10 +61,10 @@ void begin_searches(SearchState& state, const SearchContext& context, const Vec3
 /// - the horizontal distance to the target is the wanted one, within the tolerance;
 /// - the line of sight to the target is free;
 /// - everybody who is expected nearby at time_s (absolute) is at least the check's gap away.
-/// Way within the wanted gap costs more, and so does a narrow one: as much as it takes longer.
-/// Appends the places after `from` to `path`; nothing if `from` is good already. A start nearer to
-/// obstacles than allowed may be left in directions that do not come nearer. Cost: bounded by
-/// expansions_max; in open space a few expansions a cell of way.
+/// Way within the wanted gap costs more. Appends the places after `from` to `path`; nothing if
+/// `from` is good already. A start nearer to obstacles than allowed may be left in directions that
+/// do not come nearer. Cost: bounded by expansions_max; in open space a few expansions a cell of
+/// way.
 WaypointKind search_waypoint(SearchState& state, const SearchContext& context, const Vec3& from,
                              const Vec3& target_enu_m, double time_s, int expansions_max,
                              std::vector<Vec3>& path);

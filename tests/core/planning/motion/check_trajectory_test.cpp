@@ -230,28 +230,6 @@ TEST(CheckTrajectory, AgreesWithDenseSamplingOnRandomTrajectories) {
   EXPECT_LE(missed, 2);  // corners cut by less than half a cell
 }
 
-// What is narrow may be flown slowly; and who is too fast for what is beside them goes away from
-// it.
-TEST(CheckTrajectory, AsksForTheTubeOfTheSpeed) {
-  const Tube tube;
-  const auto reason = [&](const GridMap& map, const Vec3& velocity) {
-    const PlannedTrajectory trajectory = straight(kStart, velocity, 2.0 / velocity.norm());
-    const CheckInputs inputs{map, state_at(trajectory.pieces[0], 0.0), {}, nullptr, nullptr, &tube};
-    return check_trajectory(trajectory, inputs, {}, {}).reason;
-  };
-  const GridMap gap = make_map({{{1.5, 0.45}, Cell::kOccupied}, {{1.5, -0.45}, Cell::kOccupied}});
-  const double room_m = gap.unfree_distance_m({1.5, 0.0, 1.5});
-  ASSERT_GT(room_m, CheckParams{}.vehicle_radius_m);
-  ASSERT_LT(room_m, tube.radius_m(2.5));
-  EXPECT_EQ(reason(gap, {2.5, 0.0, 0.0}), PlanReason::kClearanceViolated);
-  EXPECT_EQ(reason(gap, {0.4, 0.0, 0.0}), PlanReason::kOk);
-  const GridMap beside = make_map({{{0.0, 0.45}, Cell::kOccupied}});
-  ASSERT_LT(beside.unfree_distance_m(kStart), tube.radius_m(2.5));
-  EXPECT_EQ(reason(beside, {2.5, 0.0, 0.0}), PlanReason::kOk);
-  const GridMap both = make_map({{{0.0, 0.45}, Cell::kOccupied}, {{1.5, 0.45}, Cell::kOccupied}});
-  EXPECT_EQ(reason(both, {2.5, 0.0, 0.0}), PlanReason::kClearanceViolated) << "and not back again";
-}
-
 TEST(CheckTrajectory, KeepsItsGapToEverybodyWhoMoves) {
   const GridMap map = make_map();
   const auto reason = [&](const Vec3& foot) {

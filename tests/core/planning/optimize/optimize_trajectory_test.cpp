@@ -142,28 +142,6 @@ TEST(OptimizeTrajectory, TakesMoreTimeWhereTheLimitsDemandIt) {
   EXPECT_LT(peak_norm(result.pieces, 2).value, 5.05);
 }
 
-// 4 m through four rooms of 1 m, of which the third is narrow.
-TEST(OptimizeTrajectory, FliesSlowerWhereItIsNarrowAndNowhereElse) {
-  OptimizationProblem problem = sector_problem(0.0, 0.0);
-  problem.start.velocity = Vec3(1.8, 0.0, 0.0);
-  problem.goal.position = Vec3(2.0, 0.0, 1.5);
-  problem.min_total_duration_s = 2.0;
-  for (int i = 0; i < 7; ++i) problem.inner_waypoints[i].x() = -2.0 + 0.5 * (i + 1);
-  problem.durations_s = {0.3, 0.3, 0.4, 0.5, 0.8, 0.8, 0.4, 0.4};
-  for (int i = 0; i < 4; ++i)
-    for (auto& plane : problem.corridor[i].planes)
-      if (plane.x() != 0.0) plane[3] = plane.x() * (-1.5 + i) + 0.5;
-  OptimizerState state;
-  const auto fastest_m_s = [&](std::size_t room) {
-    const auto& pieces = optimize_trajectory(state, problem, {}).pieces;
-    return peak_norm({&pieces[2 * room], 2}, 1).value;
-  };
-  EXPECT_GT(fastest_m_s(2), 1.2);
-  problem.speed_limits_m_s = {3.0, 3.0, 0.7, 3.0};
-  EXPECT_LT(fastest_m_s(2), 0.75);
-  EXPECT_GT(fastest_m_s(0), 1.7);
-}
-
 // However far away the target is: a plan that breaks the limits would never be flown. The weights
 // are those of a plan's second attempt, which is the firm one.
 TEST(OptimizeTrajectory, FarTargetsDoNotOutweighTheLimits) {

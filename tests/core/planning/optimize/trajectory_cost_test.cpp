@@ -24,7 +24,7 @@ class TrajectoryCostGradient : public testing::TestWithParam<double OptimizerPar
 TEST_P(TrajectoryCostGradient, AgreesWithFiniteDifferences) {
   OptimizerParams params;
   if (GetParam()) keep_only(params, GetParam());
-  params.speed_fraction = params.acceleration_fraction = 0.4;  // so that speed and acceleration are exceeded
+  params.limit_fraction = 0.4;  // so that speed and acceleration are exceeded
   int active = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const OptimizationProblem problem =

@@ -79,46 +79,5 @@ TEST_F(MakeFlightPath, StraightensAWayOnlyWhereThatIsClear) {
   EXPECT_EQ(path_.vertices.back(), way.points.back());
 }
 
-// Two walls with a way between them, 0.9 m wide, from x = −0.6 to 0.6.
-FlatContext narrow_way() {
-  World world = testing::empty_world();
-  world.boxes.push_back({{-0.6, 0.45, 0.0}, {0.6, 3.0, 4.0}});
-  world.boxes.push_back({{-0.6, -3.0, 0.0}, {0.6, -0.45, 4.0}});
-  return {known_map(world, 0.15), 1.5};
-}
-
-TEST_F(MakeFlightPath, WhatIsNarrowIsASegmentOfItsOwnAndTakesLonger) {
-  const FlatContext c = narrow_way();
-  make(c, straight_way(12.0), 2.0);
-  ASSERT_EQ(path_.rooms_m.size(), path_.vertices.size() - 1);
-  int narrow = 0;
-  for (std::size_t i = 0; i < path_.rooms_m.size(); ++i) {
-    const double length_m = (path_.vertices[i + 1] - path_.vertices[i]).norm();
-    const double speed_m_s = length_m / (path_.times_s[i + 1] - path_.times_s[i]);
-    EXPECT_LE(speed_m_s, c.context().tube.speed_within_m_s(path_.rooms_m[i]) + 1e-9);
-    if (path_.rooms_m[i] > 0.4) continue;
-    ++narrow;
-    EXPECT_LT(length_m, 2.0) << "no longer than it must be";
-    EXPECT_LT(speed_m_s, 1.0);
-  }
-  EXPECT_GE(narrow, 1);
-  EXPECT_GT(path_.rooms_m.front(), 0.45);
-}
-
-TEST_F(MakeFlightPath, StraighteningComesHardlyNearerToObstaclesThanTheWayDoes) {
-  World world = testing::empty_world();
-  world.boxes.push_back({{-1.0, -1.0, 0.0}, {1.0, 1.0, 4.0}});
-  const FlatContext c(known_map(world, 0.15), 1.5);
-  WaypointPath way;  // round a corner, 0.6 m from it
-  for (double x = -2.25; x <= 1.6; x += 0.15) way.points.emplace_back(x, -1.6, 1.5);
-  for (double y = -1.6; y <= 1.8; y += 0.15) way.points.emplace_back(1.6, y, 1.5);
-  for (int k = 1; k <= kSteps; ++k)
-    way.arrival.push_back(static_cast<int>(way.points.size() - 1) * k / kSteps);
-  make(c, way, 1.5);
-  const double kept_m = std::min(0.5, c.context().tube.radius_m(2.55));
-  for (std::size_t i = 0; i + 1 < path_.vertices.size(); ++i)
-    EXPECT_TRUE(is_clear(c.map, path_.vertices[i], path_.vertices[i + 1], kept_m - 0.08));
-}
-
 }  // namespace
 }  // namespace foretrack

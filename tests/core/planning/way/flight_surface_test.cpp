@@ -57,21 +57,6 @@ TEST(FlightSurface, IsNeverLowerThanTheLeastAltitude) {
   EXPECT_NEAR(surface.level_z_m, params.body.least_altitude_m, 0.16);
 }
 
-// The person has walked down two steps, the vehicle is still above them.
-TEST(FlightSurface, IsHighEnoughOverTheHighestGroundOnTheWay) {
-  const GridMap steps = room({{{-8.0, -8.0, 0.0}, {-1.0, 8.0, 0.44}}});
-  PlanningParams params;
-  params.place.height_above_target_m = -0.2;
-  const FlightSurface surface = choose_flight_surface(steps, kStart, kTarget, params);
-  EXPECT_GE(surface.level_z_m, 0.44 + params.body.least_altitude_m - 1e-9);
-  const FlightSurface flat = choose_flight_surface(room(), kStart, kTarget, params);
-  EXPECT_LT(flat.level_z_m, surface.level_z_m - 0.2);
-  // A hedge is flown over, if at all, but it is no ground.
-  const GridMap hedge = room({{{-1.2, -8.0, 0.0}, {-0.8, 8.0, 0.8}}});
-  EXPECT_NEAR(choose_flight_surface(hedge, kStart, kTarget, params).level_z_m, flat.level_z_m,
-              0.21);
-}
-
 TEST(FlightSurface, OtherLevelsAreFlatAndUpwardsComesFirst) {
   const GridMap map = room();
   const auto first = other_flight_surface(map, kStart, kTarget, 0, kParams);

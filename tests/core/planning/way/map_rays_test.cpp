@@ -45,19 +45,6 @@ TEST(MapRays, ClearMeansThatEveryPointKeepsTheDistance) {
   EXPECT_GT(clear, 100);
 }
 
-TEST(MapRays, TheLeastClearanceIsWhatIsClearAndNoMore) {
-  const GridMap map = known_map(testing::forest(3, 60), 0.15);
-  Random random(9);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 from(random.uniform(-5, 5), random.uniform(-5, 5), 1.5);
-    const Vec3 to = from + Vec3(random.uniform(-2, 2), random.uniform(-2, 2), 0.0);
-    const double least_m = least_clearance_m(map, from, to, 0.6);
-    EXPECT_TRUE(is_clear(map, from, to, least_m - 1e-9));
-    EXPECT_TRUE(least_m == 0.6 || !is_clear(map, from, to, least_m + 0.005));
-  }
-  EXPECT_EQ(least_clearance_m(map, {90.0, 0.0, 1.5}, {91.0, 0.0, 1.5}, 0.6), 0.0);
-}
-
 TEST(MapRays, ThePersonDoesNotHideTheirself) {
   World world = empty_world();
   world.cylinders.push_back({{0.0, 0.0}, 0.2, 1.8, 0.0});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far what is flown leaves what is planned, as measured: the tube that a plan's room is for.
-// Planner and gate measure it each for themselves.
 #pragma once
 
 #include <array>
@@ -9,7 +8,6 @@ namespace foretrack {
 
 /// A running bound by planned speed and acceleration: the 99th percentile of the deviations so far,
 /// those of late more than those of long ago. Before there are any, of a vehicle that follows well.
-/// It grows with the speed, linearly between whole metres a second. Allocates and throws nothing.
 class DeviationBound {
  public:
   DeviationBound();
@@ -18,18 +16,13 @@ class DeviationBound {
   void add(double speed_m_s, double acceleration_m_s2, double deviation_m);
   /// At most so far from a plan of this kind, m.
   double bound_m(double speed_m_s, double acceleration_m_s2) const;
-  /// The same, however it accelerates.
-  double bound_m(double speed_m_s) const;
-  /// The greatest speed at which the bound is no more than that, however the plan accelerates:
-  /// infinite where it never is more; 0 where it always is.
-  double speed_within_m_s(double bound_m) const;
 
  private:
-  static constexpr int kSpeeds = 4;         // 0, 1, 2, 3 m/s, and faster
+  static constexpr int kSpeeds = 4;         // up to 0.5, 1.5, 2.5 m/s, and faster
   static constexpr int kAccelerations = 2;  // up to 2 m/s², and more
-  using Bounds = std::array<double, kSpeeds>;
+  static std::size_t bin(double speed_m_s, double acceleration_m_s2);
 
-  std::array<Bounds, kAccelerations> bounds_m_;
+  std::array<double, kSpeeds * kAccelerations> bounds_m_;
 };
 
 }  // namespace foretrack
