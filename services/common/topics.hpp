@@ -191,7 +191,8 @@ struct Px4ManualControlSetpoint {
 };
 struct Px4TimesyncStatus {
   using Type = px4_msgs::msg::TimesyncStatus;
-  static constexpr TopicInfo info{"fmu/out/timesync_status", Scope::kPx4, "sensor"};
+  static constexpr TopicInfo info{"fmu/out/timesync_status", Scope::kPx4, "sensor",
+                                  kAutopilot | kSimulator};
 };
 struct Px4OffboardControlMode {
   using Type = px4_msgs::msg::OffboardControlMode;
