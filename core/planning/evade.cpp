@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kAzimuths = 8;
 constexpr std::array<double, 3> kElevations_rad = {0.0, rad(35.0), rad(65.0)};
+constexpr double kRises_rad = rad(60.0);  // where nobody has looked, less stands above than beside
 constexpr std::array<double, 3> kLengths_m = {0.6, 1.4, 3.0};
 constexpr double kLengthCost_m2s = 2e-4;  // of a squared metre: no further than it helps
 constexpr double kClimbCost_m2s = 4e-4;  // the same, of height: beside a person it sees them better
@@ -84,13 +85,15 @@ class Evasions {
     add(stop, Vec3::Zero());
     for (const double length_m : kLengths_m) {
       offer(end, length_m * Vec3::UnitZ());
-      for (const double elevation_rad : kElevations_rad)
+      for (const double elevation_rad : kElevations_rad) {
+        if (passable_ == Passable::kNotOccupied && elevation_rad < kRises_rad) continue;
         for (int i = 0; i < kAzimuths; ++i) {
           const double azimuth_rad = yaw_of(away) + 2.0 * kPi * i / kAzimuths;
           Vec3 direction;
           direction << std::cos(elevation_rad) * direction_of(azimuth_rad), std::sin(elevation_rad);
           offer(end, length_m * direction);
         }
+      }
     }
     std::ranges::sort(found_.begin(), found_.begin() + count_, {}, &Evasion::cost);
   }
