@@ -96,7 +96,7 @@ void add_remap(Names& names, std::string_view text) {
   names.remaps[name] = topic;
 }
 
-std::string topic_name(const TopicInfo& info, const Names& names) {
+std::string unversioned_topic_name(const TopicInfo& info, const Names& names) {
   if (const auto it = names.remaps.find(std::string(info.name)); it != names.remaps.end())
     return "rt/" + it->second;
   std::string result = "rt/";
@@ -104,8 +104,12 @@ std::string topic_name(const TopicInfo& info, const Names& names) {
   if (info.scope == Scope::kVehicle) result += names.vehicle + '/';
   if (info.scope == Scope::kPx4 && !names.px4_namespace.empty())
     result += names.px4_namespace + '/';
-  result += info.name;
-  if (info.scope != Scope::kPx4) return result;
+  return result.append(info.name);
+}
+
+std::string topic_name(const TopicInfo& info, const Names& names) {
+  std::string result = unversioned_topic_name(info, names);
+  if (info.scope != Scope::kPx4 || names.remaps.contains(std::string(info.name))) return result;
   const auto release = names.px4_release.empty() ? kPx4ReleaseOfIdl : names.px4_release;
   const int version = px4_version(info.name.substr(info.name.rfind('/') + 1), release);
   if (version > 0) result += "_v" + std::to_string(version);

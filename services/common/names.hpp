@@ -47,5 +47,7 @@ void validate_or_throw(const Names& names);
 void add_remap(Names& names, std::string_view text);
 
 std::string topic_name(const TopicInfo& info, const Names& names);
+/// The same without the version that PX4 appends, which changes with its releases.
+std::string unversioned_topic_name(const TopicInfo& info, const Names& names);
 
 }  // namespace foretrack

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/convert/color_image.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -75,7 +77,7 @@ Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::Image& in, const Camera
   const auto encoding = std::find_if(kEncodings.begin(), kEncodings.end(),
                                      [&](const Encoding& e) { return e.name == in.encoding(); });
   if (encoding == kEncodings.end()) {
-    checks.fail("encoding", "'" + in.encoding().substr(0, 32) + "'",
+    checks.fail("encoding", fmt::format("'{:.32}'", in.encoding()),
                 "rgb8, bgr8, rgba8, bgra8, mono8, mono16, yuv422 or yuv422_yuy2");
     return checks.result(RgbImage());
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/convert/compressed_image.hpp"
 
+#include <fmt/format.h>
 #include <jpeglib.h>
 #include <png.h>
 
@@ -21,7 +22,7 @@ bool begins_with(Bytes data, std::initializer_list<std::uint8_t> head) {
 }
 
 std::string size_text(unsigned width, unsigned height) {
-  return std::to_string(width) + " × " + std::to_string(height) + " px";
+  return fmt::format("{} × {} px", width, height);
 }
 
 // libjpeg leaves by longjmp: no object with a destructor may live between setjmp and its calls.
@@ -91,7 +92,7 @@ Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
   const bool jpeg = begins_with(data, {0xFF, 0xD8, 0xFF});
   const bool png = begins_with(data, {0x89, 'P', 'N', 'G'});
   if (!jpeg && !png)
-    checks.fail("format", "'" + in.format().substr(0, 32) + "'", "a JPEG or PNG picture");
+    checks.fail("format", fmt::format("'{:.32}'", in.format()), "a JPEG or PNG picture");
   if (!checks.ok()) return checks.result(RgbImage());
   RgbImage out{camera.width_px, camera.height_px, std::move(buffer)};
   out.rgb.resize(3 * static_cast<std::size_t>(camera.width_px) * camera.height_px);
@@ -104,8 +105,7 @@ Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
     checks.fail("data", size_text(found.width, found.height),
                 size_text(expected.width, expected.height) + ", as the camera_info says");
   if (decoded == Decoded::kBroken)
-    checks.fail("data", "a broken picture of " + std::to_string(data.size()) + " bytes",
-                "a whole one");
+    checks.fail("data", fmt::format("a broken picture of {} bytes", data.size()), "a whole one");
   return checks.result(std::move(out));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/convert/image.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstring>
 
@@ -30,7 +32,7 @@ void read_rows(const sensor_msgs::msg::Image& in, std::vector<float>& out, Conve
 }
 
 std::string quoted(const std::string& encoding) {
-  return "'" + encoding.substr(0, 32) + "'";
+  return fmt::format("'{:.32}'", encoding);
 }
 
 // Negative and infinitely near are no depths; 0 is "no return". +inf means free to the range.

@@ -28,10 +28,9 @@ std::string domains(int domain_id) {
                      domain_id < 0 ? 0 : domain_id, domain_id < 0 ? kHighestDomain : domain_id);
 }
 
-// The version that PX4 appends to a name changes with its releases.
-void add_topic(std::vector<std::string>& names, const TopicInfo& info, Names of) {
-  of.px4_vehicle_status_version = 0;
-  const auto plain = topic_name(info, of);
+// Whatever PX4's release.
+void add_topic(std::vector<std::string>& names, const TopicInfo& info, const Names& of) {
+  const auto plain = unversioned_topic_name(info, of);
   names.push_back(plain);
   if (info.scope == Scope::kPx4) names.push_back(plain + "_v*");
 }
