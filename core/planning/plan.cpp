@@ -28,13 +28,12 @@ FlightLimits limits_of_search(const PlanningState& state, const PlanStart& start
                               const PlanningParams& params) {
   FlightLimits limits = params.limits;
   limits.speed_max_m_s =
-      std::min(limits.speed_max_m_s, std::max(search_speed_m_s(state.search, params),
-                                              start.state.velocity.norm()));
+      std::min(limits.speed_max_m_s,
+               std::max(search_speed_m_s(state.search, params), start.state.velocity.norm()));
   return limits;
 }
 
-bool is_too_fast(const PlanningState& state, const PlanStart& start,
-                 const PlanningParams& params) {
+bool is_too_fast(const PlanningState& state, const PlanStart& start, const PlanningParams& params) {
   return start.state.velocity.norm() > search_speed_m_s(state.search, params) + kSlower_m_s;
 }
 

@@ -75,9 +75,9 @@ struct ViewParams {
   double fov_margin_rad = 0.2;  ///< the yaw plan keeps the target so far inside the angle of view
   /// yaw follows where the target is expected; else it points to where the target is
   bool yaw_ahead = true;
-  double yaw_effort = 0.002;   ///< weight of squared yaw acceleration against squared bearing error
-  double search_speed_m_s = 1.5;   ///< the vehicle searches no faster where the person may be near
-  bool gimbal = false;             ///< plan the pitch of a gimbal as well
+  double yaw_effort = 0.002;  ///< weight of squared yaw acceleration against squared bearing error
+  double search_speed_m_s = 1.5;  ///< the vehicle searches no faster where the person may be near
+  bool gimbal = false;            ///< plan the pitch of a gimbal as well
   double gimbal_rate_max_rad_s = 2.0;            ///< greatest pitch rate of the gimbal
   double gimbal_acceleration_max_rad_s2 = 10.0;  ///< greatest pitch acceleration of the gimbal
 };

@@ -8,8 +8,8 @@
 namespace foretrack {
 namespace {
 
-constexpr double kGazeFar_m = 4.0;  // at which the camera is pointed
-constexpr double kOffChosenWay_m = 1.5;   // farther from its way, the vehicle waits for another one
+constexpr double kGazeFar_m = 4.0;       // at which the camera is pointed
+constexpr double kOffChosenWay_m = 1.5;  // farther from its way, the vehicle waits for another one
 constexpr double kSearchCoast_s = 0.2;
 constexpr double kWait_s = 1.0;
 
@@ -28,8 +28,7 @@ void look_at(PlanningState& s, const PlanTask& task, const Vec2& place) {
 
 FlightSurface surface_of(const PlanningState& s, const PlanTask& task) {
   const Vec3& start = task.start.state.position;
-  return {start.head<2>(), start.z(),
-          s.search.torso_m + task.params.place.height_above_target_m};
+  return {start.head<2>(), start.z(), s.search.torso_m + task.params.place.height_above_target_m};
 }
 
 // On from the place of the chosen way that is nearest.
@@ -68,7 +67,7 @@ PlanReason search_target(PlanningState& s, const PlanTask& task, StageClock& clo
   const Vec2 from = task.start.state.position.head<2>();
   look_at(s, task, from + kGazeFar_m * direction_of(s.search.gaze_rad));
   const FlightSurface surface = surface_of(s, task);
-  const SearchContext context{*task.input.map, surface,    task.params, task.limits, 0.0, 0.0,
+  const SearchContext context{*task.input.map, surface,          task.params, task.limits, 0.0, 0.0,
                               &s.courses,      task.start.time_s};
   s.ahead.search.expansions = 0;
   s.ahead.views[0].clear();

@@ -9,8 +9,8 @@ namespace foretrack {
 
 /// One step of the belief over where a lost person can be, and of the choice of a viewpoint. A
 /// search that has lasted too long goes on believing, and flies nowhere.
-void search_on(PlanningState& state, const PlanInput& input, const PlanStart& start,
-               bool flies, const PlanningParams& params);
+void search_on(PlanningState& state, const PlanInput& input, const PlanStart& start, bool flies,
+               const PlanningParams& params);
 
 /// Flies along the way to the chosen viewpoint, the camera on the gaze. kOk: the next candidate
 /// (state.next_result()) passed the check.

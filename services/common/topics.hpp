@@ -182,11 +182,11 @@ struct Px4VehicleCommand {
 using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorCameraInfo,
                Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints, TargetIntention,
-               TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState, MissionCommand, ServiceHealth,
-               BodySightings, MovingBodies, PredictionPath, PlanPath, Markers, Transforms,
-               StaticTransforms, Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry,
-               Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
-               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
+               TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState, MissionCommand,
+               ServiceHealth, BodySightings, MovingBodies, PredictionPath, PlanPath, Markers,
+               Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
+               Px4VehicleOdometry, Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode,
+               Px4BatteryStatus, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
                Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics
