@@ -11,10 +11,10 @@
 namespace foretrack {
 namespace {
 
-constexpr double kWall_m = 0.3;       // thickness
+constexpr double kWall_m = 0.3;  // thickness
 constexpr double kWallHeight_m = 4.0;
-constexpr double kStreet_m = 1.5;     // of the walk, from the wall
-constexpr double kAfter_s = 11.0;     // walked on after they have come back
+constexpr double kStreet_m = 1.5;  // of the walk, from the wall
+constexpr double kAfter_s = 11.0;  // walked on after they have come back
 constexpr double kLongest_s = 20.0, kShortest_s = 2.0;
 
 struct Door {
@@ -81,9 +81,8 @@ void walk(Stage& stage, const Vec2& out, double street_y, bool to_right) {
   route.emplace_back(out.x(), street_y);
   route.emplace_back(out.x() + (to_right ? after_m : -after_m), street_y);
   const double walked_s = stage.inside_m() / stage.speed_m_s;
-  const double wanted_s = stage.random.chance(0.5)
-                              ? stage.between(kShortest_s, kLongest_s)
-                              : walked_s;
+  const double wanted_s =
+      stage.random.chance(0.5) ? stage.between(kShortest_s, kLongest_s) : walked_s;
   const double start_s = s.target.person.start_s;
   const double in_s = start_s + (approach_m + kStreet_m) / stage.speed_m_s + 0.6;
   double stood_s = 0.0;
@@ -159,8 +158,11 @@ void stage_street(Stage& stage) {
     stage.box(-left_m, y0, -1.5, y1);
     stage.box(1.5, y0, right_m, y1);
     stage.box(-left_m, y1, right_m, depth_m);
-    stage.inside = {{0.0, 0.0}, {0.0, 0.5 * (y0 + y1)}, {0.7, 0.5 * (y0 + y1)},
-                    {0.0, 0.5 * (y0 + y1)}, {0.0, 0.0}};
+    stage.inside = {{0.0, 0.0},
+                    {0.0, 0.5 * (y0 + y1)},
+                    {0.7, 0.5 * (y0 + y1)},
+                    {0.0, 0.5 * (y0 + y1)},
+                    {0.0, 0.0}};
     return walk(stage, {0.0, 0.0}, -kStreet_m, stage.random.chance(0.5));
   }
   stage.box(-left_m, 0.0, -half_m, depth_m);

@@ -4,10 +4,7 @@
 #include <algorithm>
 
 namespace foretrack {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 void reserve(DistanceField& field) {
   field.steps.assign(static_cast<std::size_t>(kGroundSide) * kGroundSide, DistanceField::kNever);

@@ -8,23 +8,23 @@ namespace foretrack {
 namespace {
 
 constexpr double kTick_s = 0.1;
-constexpr double kViewMargin_rad = 0.1;   // at each side of the image: not all of a person is in it
-constexpr double kReach_m = 24.0;         // of the vehicle, by way
-constexpr double kWayShare = 0.85;        // of a way in steps along x and y, when it is straightened
-constexpr int kReachExpansions = 20000;   // in one step
+constexpr double kViewMargin_rad = 0.1;  // at each side of the image: not all of a person is in it
+constexpr double kReach_m = 24.0;        // of the vehicle, by way
+constexpr double kWayShare = 0.85;       // of a way in steps along x and y, when it is straightened
+constexpr int kReachExpansions = 20000;  // in one step
 constexpr int kViewpointsJudged = 36, kViewpointsAStep = 6;
-constexpr double kBetterViewpoint = 1.25;          // by which another viewpoint must be
-constexpr double kNearFactor = 0.3;       // of a viewpoint's worth, where the person can be beside it
-constexpr double kEscape_m = 0.8;         // on which the way out of a narrow place may be narrow
+constexpr double kBetterViewpoint = 1.25;  // by which another viewpoint must be
+constexpr double kNearFactor = 0.3;  // of a viewpoint's worth, where the person can be beside it
+constexpr double kEscape_m = 0.8;    // on which the way out of a narrow place may be narrow
 constexpr int kGazes = LostPerson::kGazes;
 constexpr double kGazeAhead_s = 0.5;
-constexpr double kAlongWay = 0.06;        // belief that the look along the way is worth
-constexpr double kAtViewpoint = 0.3;      // share of a viewpoint's worth, for its own direction
+constexpr double kAlongWay = 0.06;    // belief that the look along the way is worth
+constexpr double kAtViewpoint = 0.3;  // share of a viewpoint's worth, for its own direction
 constexpr double kGazeBetter = 1.2, kGazeLess = 0.003;
-constexpr double kGlance_s = 0.008;       // belief that a second of not looking there is worth,
-constexpr double kGlanceReach_m = 4.0;    // where the person can be so near
+constexpr double kGlance_s = 0.008;     // belief that a second of not looking there is worth,
+constexpr double kGlanceReach_m = 4.0;  // where the person can be so near
 constexpr double kTravelHalf_rad = rad(40.0);
-constexpr double kNearHorizon_s = 1.0;     // that places near the vehicle count ahead
+constexpr double kNearHorizon_s = 1.0;  // that places near the vehicle count ahead
 constexpr double kWayAhead_m = 1.0, kThere_m = 0.4;
 
 double half_view_rad(const PlanningParams& params) {
@@ -87,8 +87,7 @@ void judge(LostPerson& lost, int cell, bool present, const PlanningParams& param
   if (lost.reach.steps[cell] == DistanceField::kNever) return;
   const SearchGround& ground = lost.ground;
   const double way_m = kWayShare * ground.resolution_m * lost.reach.steps[cell];
-  const double speed_m_s =
-      0.5 * (params.view.search_speed_m_s + params.limits.speed_max_m_s);
+  const double speed_m_s = 0.5 * (params.view.search_speed_m_s + params.limits.speed_max_m_s);
   const Vec2 at = ground.center_of(cell);
   Viewpoint view = judge_viewpoint(lost.future, ground, lost.reach, at, way_m / speed_m_s,
                                    2.0 * half_view_rad(params), params.search);
@@ -145,8 +144,8 @@ void add_glances(LostPerson& lost, const Vec2& from, double yaw_rad, double half
   for (int i = 0; i < kGazes; ++i) {
     const bool looks = std::abs(wrap_angle(gaze_yaw_rad(i) - yaw_rad)) < half_rad;
     lost.unseen_s[i] = looks ? 0.0 : lost.unseen_s[i] + dt_s;
-    const double free_m = free_ahead_m(lost.ground, from, gaze_yaw_rad(i), kPi / kGazes,
-                                       kGlanceReach_m);
+    const double free_m =
+        free_ahead_m(lost.ground, from, gaze_yaw_rad(i), kPi / kGazes, kGlanceReach_m);
     if (free_m < kGlanceReach_m) bins[i] += kGlance_s * lost.unseen_s[i];
   }
 }
@@ -156,8 +155,9 @@ void choose_gaze(LostPerson& lost, const Vec2& from, double yaw_rad, double dt_s
   std::array<double, kGazes> bins = belief_around(lost, from, params.search);
   add_glances(lost, from, yaw_rad, half_view_rad(params), dt_s, bins);
   if (is_there(lost, from))
-    add_gaze(bins, lost.viewpoint.worth < 0.0 ? yaw_of(Vec2(lost.likeliest_m - from))
-                                              : lost.viewpoint.gaze_rad,
+    add_gaze(bins,
+             lost.viewpoint.worth < 0.0 ? yaw_of(Vec2(lost.likeliest_m - from))
+                                        : lost.viewpoint.gaze_rad,
              kAlongWay + kAtViewpoint * std::max(lost.viewpoint.worth, 0.0));
   else
     add_gaze(bins, yaw_of(Vec2(ahead_on_way_m(lost, from) - from)), kAlongWay);
@@ -285,10 +285,8 @@ void choose_viewpoint(LostPerson& lost, const SearchStep& step, const PlanningPa
 }
 
 double search_speed_m_s(const LostPerson& lost, const PlanningParams& params) {
-  const double safe_m_s =
-      safe_speed_m_s(lost.free_m, params.body.body_speed_m_s, params.search);
-  const double least_m_s =
-      std::min(params.view.search_speed_m_s, params.limits.speed_max_m_s);
+  const double safe_m_s = safe_speed_m_s(lost.free_m, params.body.body_speed_m_s, params.search);
+  const double least_m_s = std::min(params.view.search_speed_m_s, params.limits.speed_max_m_s);
   return std::clamp(safe_m_s, least_m_s, params.limits.speed_max_m_s);
 }
 
@@ -318,8 +316,7 @@ void add_near_belief(const LostPerson& lost, double now_s, const GapParams& para
     body.velocity_enu_m_s << near.velocity_m_s, 0.0;
     body.place_count = MovingBody::kMaxPlaces;
     for (int k = 0; k < body.place_count; ++k)
-      body.places_enu_m[k] =
-          body.position_enu_m + body.step_s * (k + 1) * body.velocity_enu_m_s;
+      body.places_enu_m[k] = body.position_enu_m + body.step_s * (k + 1) * body.velocity_enu_m_s;
     courses.add({body, near.probability, kNearHorizon_s});
   }
 }

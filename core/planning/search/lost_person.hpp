@@ -17,9 +17,9 @@ struct NearBelief {
 
 /// One for each vehicle, owned by the caller and reused. What may be read is said first.
 struct LostPerson {
-  bool active = false;    ///< somebody is searched for, or waited for
-  bool waits = false;     ///< they are waited for: the vehicle stands
-  double since_s = 0.0;   ///< they were seen last
+  bool active = false;   ///< somebody is searched for, or waited for
+  bool waits = false;    ///< they are waited for: the vehicle stands
+  double since_s = 0.0;  ///< they were seen last
   Vec2 likeliest_m = Vec2::Zero();
   double torso_m = 1.2;   ///< z of their torso
   Viewpoint viewpoint;    ///< that is flown to; worth < 0: none yet
@@ -50,7 +50,7 @@ struct SearchStep {
   double now_s = 0.0;
   const VehicleState& vehicle;
   const GridMap& map;
-  Vec3 from_enu_m = Vec3::Zero();  ///< where the next trajectory begins
+  Vec3 from_enu_m = Vec3::Zero();    ///< where the next trajectory begins
   Vec3 velocity_m_s = Vec3::Zero();  ///< and the velocity there
 };
 
@@ -62,8 +62,8 @@ void begin_search(LostPerson& lost, const TargetBelief& belief, const SearchStep
                   const PlanningParams& params);
 
 /// In this order: walls are read from a new map; the person may have come farther; the walkers go
-/// on; the camera has looked and nobody was there; the gaze, and how far it is free ahead. Ten times
-/// a second; between, nothing but the ways of the walkers. Cost: 0.5 ms.
+/// on; the camera has looked and nobody was there; the gaze, and how far it is free ahead. Ten
+/// times a second; between, nothing but the ways of the walkers. Cost: 0.5 ms.
 void believe(LostPerson& lost, const SearchStep& step, const PlanningParams& params);
 
 /// Goes on with the choice of a place to look from: where the vehicle can fly to, and some places

@@ -10,19 +10,19 @@ namespace {
 constexpr double kPathSpread_m_s = 0.15;  // of walkers about a believed path
 constexpr double kLeastSpread_m = 0.1;
 constexpr int kErrandTries = 8;
-constexpr int kErrandExpansions = 25000;             // of errands, in one call
+constexpr int kErrandExpansions = 25000;  // of errands, in one call
 constexpr double kErrandNear_m = 1.5, kErrandFar_m = 24.0;
-constexpr double kOpenErrands = 0.5;           // share
-constexpr double kStandsShare = 0.3;           // of those who arrive
-constexpr double kStands_s = 4.0;              // mean
-constexpr double kTurnsRound = 0.15;           // as likely as to go straight on
-constexpr double kPaceSigma = 0.15;            // of speeds, logarithmic
-constexpr int kArrived = 3;                    // steps
-constexpr double kLeastWalkerWeight = 0.05;          // of the mean
+constexpr double kOpenErrands = 0.5;         // share
+constexpr double kStandsShare = 0.3;         // of those who arrive
+constexpr double kStands_s = 4.0;            // mean
+constexpr double kTurnsRound = 0.15;         // as likely as to go straight on
+constexpr double kPaceSigma = 0.15;          // of speeds, logarithmic
+constexpr int kArrived = 3;                  // steps
+constexpr double kLeastWalkerWeight = 0.05;  // of the mean
 constexpr double kLeastEvidence = 0.005;
-constexpr double kEvidenceRegained = 1.05;     // a look
+constexpr double kEvidenceRegained = 1.05;  // a look
 constexpr double kCrowd_m = 1.0;
-constexpr int kDoubted = 1;                    // walkers, in each look
+constexpr int kDoubted = 1;  // walkers, in each look
 
 bool is_on_errand(const Walker& w, const PersonCloud& cloud) {
   return w.errand >= 0 && cloud.errands[w.errand].number == w.errand_number;
@@ -99,13 +99,11 @@ bool place_on(const PredictedPath& path, double time_s, const PersonCloud& cloud
   const PathPoint point = path.at(std::min(time_s, path.states.back().time_s));
   const Vec2 velocity = point.velocity_enu_m_s.head<2>();
   const double sigma_m = kLeastSpread_m + kPathSpread_m_s * time_s;
-  w.at_m = point.position_enu_m.head<2>() +
-           sigma_m * Vec2(random.normal(), random.normal());
-  w.heading = velocity.norm() > 0.2 ? Vec2(velocity.normalized())
-                                    : direction_of(random.uniform(-kPi, kPi));
+  w.at_m = point.position_enu_m.head<2>() + sigma_m * Vec2(random.normal(), random.normal());
+  w.heading =
+      velocity.norm() > 0.2 ? Vec2(velocity.normalized()) : direction_of(random.uniform(-kPi, kPi));
   w.speed_m_s = pace(cloud, random);
-  return ground.is_walkable(ground.cell_of(w.at_m)) &&
-         ground.may_be[ground.cell_of(w.at_m)] != 0;
+  return ground.is_walkable(ground.cell_of(w.at_m)) && ground.may_be[ground.cell_of(w.at_m)] != 0;
 }
 
 // Somewhere where the person can be.

@@ -40,9 +40,9 @@ struct PersonCloud {
   FieldQueue queue;
   std::array<std::int32_t, 64> open_cells{};  // some to which the vehicle can fly
   int open_count = 0;
-  int making = 0;         // of the errands
+  int making = 0;          // of the errands
   double speed_m_s = 1.2;  // of the person
-  double evidence = 1.0;  // small: they should have been seen, wherever a walker is
+  double evidence = 1.0;   // small: they should have been seen, wherever a walker is
   Random random{1};
 };
 

@@ -69,7 +69,8 @@ void fan(const SearchGround& g, const Vec2& from, double yaw_rad, double half_an
 
 void wall_in(SearchGround& g) {
   for (int i = 0; i < kGroundSide; ++i)
-    for (const int cell : {i, kGroundSide * (kGroundSide - 1) + i, kGroundSide * i, kGroundSide * i + kGroundSide - 1})
+    for (const int cell : {i, kGroundSide * (kGroundSide - 1) + i, kGroundSide * i,
+                           kGroundSide * i + kGroundSide - 1})
       g.what[cell] = SearchGround::kWall | SearchGround::kScreen;
 }
 
@@ -85,15 +86,17 @@ void begin_ground(SearchGround& g, const GridMap& map, const Vec3& torso) {
   g.resolution_m = map.resolution_m;
   g.torso_m = torso.z();
   const Eigen::Vector2i middle = map.index_of(torso).head<2>();
-  g.corner_m = map.origin_enu_m.head<2>() +
-               map.resolution_m * (middle - Eigen::Vector2i::Constant(kGroundSide / 2)).cast<double>();
+  g.corner_m =
+      map.origin_enu_m.head<2>() +
+      map.resolution_m * (middle - Eigen::Vector2i::Constant(kGroundSide / 2)).cast<double>();
   g.map_stamp_s = -1.0;
   g.look = 0;
   g.to_spread_m = 0.0;
   read_map(g, map);
   // The person stands there, whatever the map takes for an obstacle.
   const int cell = g.cell_of(torso.head<2>());
-  for (const int by : {0, 1, -1, kGroundSide, -kGroundSide}) g.what[cell + by] &= ~SearchGround::kWall;
+  for (const int by : {0, 1, -1, kGroundSide, -kGroundSide})
+    g.what[cell + by] &= ~SearchGround::kWall;
   g.may_be[cell] = 1;
 }
 
@@ -107,8 +110,7 @@ void read_map(SearchGround& g, const GridMap& map) {
   const int dy = static_cast<int>(std::lround(offset.y()));
   const std::uint8_t beyond = map.stamp_s == 0.0 ? SearchGround::kWall : 0;
   const auto is_occupied = [&](std::ptrdiff_t layer, std::ptrdiff_t column) {
-    return layer >= 0 &&
-           map.cells[layer + column] == static_cast<std::uint8_t>(Cell::kOccupied);
+    return layer >= 0 && map.cells[layer + column] == static_cast<std::uint8_t>(Cell::kOccupied);
   };
   for (int y = 0; y < kGroundSide; ++y)
     for (int x = 0; x < kGroundSide; ++x) {
@@ -163,9 +165,8 @@ bool is_in_sight(const SearchGround& g, const Vec2& from, const Vec2& to) {
   const double length_m = span.norm();
   if (length_m < 1e-6) return true;
   bool clear = true;
-  along_ray(g, from, span / length_m, length_m, [&](int cell, double) {
-    return clear = (g.what[cell] & SearchGround::kScreen) == 0;
-  });
+  along_ray(g, from, span / length_m, length_m,
+            [&](int cell, double) { return clear = (g.what[cell] & SearchGround::kScreen) == 0; });
   return clear;
 }
 

@@ -12,8 +12,8 @@ namespace foretrack {
 
 inline constexpr int kGroundSide = 400;  // cells
 
-/// Cells coincide with the map's columns. A cell is a number: y · kGroundSide + x. World ENU. The cells of
-/// the border are walls. What the map does not know may be walked and looked through.
+/// Cells coincide with the map's columns. A cell is a number: y · kGroundSide + x. World ENU. The
+/// cells of the border are walls. What the map does not know may be walked and looked through.
 struct SearchGround {
   static constexpr std::uint8_t kWall = 1;    // nobody walks through
   static constexpr std::uint8_t kScreen = 2;  // a person behind it is hidden

@@ -52,8 +52,7 @@ void summarize(const LostPerson& lost, double now_s, const PlanningParams& param
   out.unseen_s = now_s - lost.since_s;
   out.likeliest_enu_m << lost.likeliest_m, lost.torso_m;
   out.has_viewpoint = lost.viewpoint.worth >= 0.0 && !lost.waits;
-  out.viewpoint_enu_m << lost.viewpoint.at_m,
-      lost.torso_m + params.place.height_above_target_m;
+  out.viewpoint_enu_m << lost.viewpoint.at_m, lost.torso_m + params.place.height_above_target_m;
   out.gaze_rad = lost.gaze_rad;
   out.speed_max_m_s = search_speed_m_s(lost, params);
   lay_cells(lost, out);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kForesightStep_s = 0.25;
 constexpr int kViewBins = 24;             // of directions
-constexpr double kAsideShare = 0.25;  // that belief beside the angle of view counts
+constexpr double kAsideShare = 0.25;      // that belief beside the angle of view counts
 constexpr double kOutOfReachShare = 0.4;  // that who is seen out of reach counts
 constexpr int kNearBearings = 12;
 
@@ -25,7 +25,8 @@ void foresee(const PersonCloud& cloud, const SearchGround& ground, CloudFuture& 
     double now_s = 0.0;
     for (std::size_t k = 0; k < CloudFuture::kMoments_s.size(); ++k) {
       for (; now_s < CloudFuture::kMoments_s[k] - 1e-9; now_s += kForesightStep_s)
-        walk_on(w, cloud, ground, std::min(kForesightStep_s, CloudFuture::kMoments_s[k] - now_s), random);
+        walk_on(w, cloud, ground, std::min(kForesightStep_s, CloudFuture::kMoments_s[k] - now_s),
+                random);
       future.at_m[i][k] = w.at_m;
     }
   }

@@ -25,9 +25,10 @@ struct Viewpoint {
   double worth = -1.0;    // belief that is seen, less the later; 0 to 1
 };
 
-/// What it is worth to be at a place from arrival_s on, looking in the best direction for a camera of
-/// this angle of view. What would be seen beside that counts a little: the camera can turn. Cost:
-/// 20 µs. Who is seen where the vehicle can fly to (`reach`) can be followed, and counts more.
+/// What it is worth to be at a place from arrival_s on, looking in the best direction for a camera
+/// of this angle of view. What would be seen beside that counts a little: the camera can turn.
+/// Cost: 20 µs. Who is seen where the vehicle can fly to (`reach`) can be followed, and counts
+/// more.
 Viewpoint judge_viewpoint(const CloudFuture& future, const SearchGround& ground,
                           const DistanceField& reach, const Vec2& at_m, double arrival_s,
                           double view_angle_rad, const SearchParams& params);

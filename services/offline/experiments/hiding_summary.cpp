@@ -110,7 +110,8 @@ std::string hidings_json_of(const std::vector<HidingCell>& cells) {
 
 std::string hidings_csv_of(const std::vector<FlightJob>& jobs,
                            const std::vector<RunRecord>& records) {
-  std::string text = "experiment,method,map,hidden_s,reappears_s,until_found_s,least_gap_m,command\n";
+  std::string text =
+      "experiment,method,map,hidden_s,reappears_s,until_found_s,least_gap_m,command\n";
   for (std::size_t i = 0; i < jobs.size(); ++i)
     for (const HidingRecord& h : records[i].hidings)
       text += fmt::format("{},{},{},{:.2f},{:.2f},{:.2f},{:.3f},\"{}\"\n", jobs[i].cell.experiment,

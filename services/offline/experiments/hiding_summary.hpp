@@ -18,8 +18,8 @@ struct HidingCell {
   int hidings = 0, found = 0;  // within kFindWithin_s
   Interval95 found_95;
   double until_found_p50_s = 0.0, until_found_p90_s = 0.0;  // infinite: never
-  int contacts = 0;       // with the person
-  int wall_contacts = 0;  // of their flights
+  int contacts = 0;                                         // with the person
+  int wall_contacts = 0;                                    // of their flights
   double least_gap_m = 0.0;
 };
 

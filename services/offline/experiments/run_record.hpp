@@ -74,8 +74,8 @@ EventOutcome outcome_of(const EncounterRecord& encounter);
 /// A hiding succeeds if they are found in time, and untouched. Its loss is until they are found.
 EventOutcome outcome_of(const HidingRecord& hiding);
 
-/// The events of that kind, but for encounters and hidings. Passes are turns that begin within 2.5 m of the
-/// origin.
+/// The events of that kind, but for encounters and hidings. Passes are turns that begin within 2.5
+/// m of the origin.
 std::vector<EventOutcome> outcomes_of(const Metrics& metrics, std::span<const FlightRow> rows,
                                       EventKind kind, const MetricParams& params);
 

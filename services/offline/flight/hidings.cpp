@@ -57,8 +57,7 @@ class Flyable {
   }
   bool is_free(const Eigen::Vector2i& c) const {
     const Eigen::Vector3i i(c.x(), c.y(), z_);
-    return map_.contains(i) &&
-           0.01 * map_.unfree_distance_cm[map_.offset_of(i)] >= kVehicleNeeds_m;
+    return map_.contains(i) && 0.01 * map_.unfree_distance_cm[map_.offset_of(i)] >= kVehicleNeeds_m;
   }
 
   GridMap map_;

@@ -17,7 +17,8 @@ namespace foretrack {
 struct HidingRecord {
   double begin_s = 0.0, reappears_s = 0.0;
   double found_s = std::numeric_limits<double>::infinity();  // not before they reappear
-  double least_gap_m = 0.0;  // of the vehicle's hull to the person's, from then until the flight ends
+  double least_gap_m =
+      0.0;  // of the vehicle's hull to the person's, from then until the flight ends
 
   double hidden_s() const { return reappears_s - begin_s; }
   /// After they had reappeared.

@@ -12,7 +12,7 @@ template <class Check>
 void for_all(Check check) {
   for (std::size_t kind = 0; kind < kHidingKindNames.size(); ++kind)
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      SCOPED_TRACE(testing::Message() << kHidingKindNames[kind] << " " << seed);
+      SCOPED_TRACE(::testing::Message() << kHidingKindNames[kind] << " " << seed);
       Scenario scenario;
       scenario.seed = seed;
       stage_hiding(static_cast<HidingKind>(kind), scenario);

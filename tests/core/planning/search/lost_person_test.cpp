@@ -20,9 +20,7 @@ struct Search {
     reserve(lost);
     begin_search(lost, testing::belief_of({0.0, 0.2, 1.2}, {0.0, 1.2, 0.0}, 0.0), step(), params);
   }
-  SearchStep step() const {
-    return {now_s, vehicle, map, vehicle.position_enu_m, Vec3::Zero()};
-  }
+  SearchStep step() const { return {now_s, vehicle, map, vehicle.position_enu_m, Vec3::Zero()}; }
   void search(double time_s) {
     for (const double end_s = now_s + time_s; now_s < end_s; now_s += 0.033) {
       believe(lost, step(), params);

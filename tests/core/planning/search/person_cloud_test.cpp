@@ -55,9 +55,7 @@ TEST(PersonCloud, WalkersLeaveThroughDoorsAndKeepOutOfWalls) {
 TEST(PersonCloud, LookingInVainLowersTheBeliefThere) {
   Cloud c(testing::empty_world(12.0), {3.0, 0.0, 1.2}, {0.0, 1.0, 0.0}, 0.5);
   c.walk(4.0);
-  const auto ahead = [](const Vec2& p) {
-    return p.norm() < 5.9 && std::abs(yaw_of(p)) < 0.6;
-  };
+  const auto ahead = [](const Vec2& p) { return p.norm() < 5.9 && std::abs(yaw_of(p)) < 0.6; };
   const double before = c.belief(ahead);
   ASSERT_GT(before, 0.1);
   for (int i = 0; i < 8; ++i) look_in_vain(c.cloud, c.ground, {0.0, 0.0}, 0.0, 0.7, c.params);

@@ -31,9 +31,8 @@ TEST(SearchSummary, SaysWhereTheBeliefIs) {
   for (int i = 0; i < summary.columns * summary.rows; ++i)
     if (summary.belief[i] > summary.belief[fullest]) fullest = i;
   EXPECT_EQ(summary.belief[fullest], 255);
-  const Vec2 middle =
-      summary.corner_m + summary.cell_m * Vec2(fullest % summary.columns + 0.5,
-                                               fullest / summary.columns + 0.5);
+  const Vec2 middle = summary.corner_m + summary.cell_m * Vec2(fullest % summary.columns + 0.5,
+                                                               fullest / summary.columns + 0.5);
   EXPECT_LT((middle - Vec2(3.0, 1.0)).norm(), 1.1);
   lost.waits = true;
   summarize(lost, 2.0, params, summary);

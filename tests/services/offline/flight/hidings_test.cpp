@@ -33,7 +33,8 @@ std::vector<FlightRow> rows_of(const std::function<bool(double)>& seen) {
 }
 
 TEST(Hidings, AreWhileTheVehicleCannotFlyThere) {
-  const auto records = hidings_of(rows_of([](double t) { return t < 2.0 || t > 9.0; }), wall(), 0.15);
+  const auto records =
+      hidings_of(rows_of([](double t) { return t < 2.0 || t > 9.0; }), wall(), 0.15);
   ASSERT_EQ(records.size(), 1u);
   EXPECT_NEAR(records[0].begin_s, 2.0, 1e-6);
   EXPECT_NEAR(records[0].hidden_s(), 4.0, 0.02);
@@ -43,8 +44,8 @@ TEST(Hidings, AreWhileTheVehicleCannotFlyThere) {
 }
 
 TEST(Hidings, AGlimpseIsNotFound) {
-  const auto records = hidings_of(
-      rows_of([](double t) { return t < 2.0 || (t > 7.0 && t < 7.3); }), wall(), 0.15);
+  const auto records =
+      hidings_of(rows_of([](double t) { return t < 2.0 || (t > 7.0 && t < 7.3); }), wall(), 0.15);
   ASSERT_EQ(records.size(), 1u);
   EXPECT_FALSE(records[0].found_within(kFindWithin_s));
 }
