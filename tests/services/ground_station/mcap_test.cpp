@@ -8,8 +8,8 @@
 #include "services/ground_station/mcap/reader.hpp"
 #include "services/ground_station/recording/recorder.hpp"
 #include "services/ground_station/recording/recover.hpp"
-#include "tests/fuzz/mutate.hpp"
 #include "services/ground_station/recording/replay.hpp"
+#include "tests/fuzz/mutate.hpp"
 #include "tests/support/folder.hpp"
 
 namespace foretrack::station::mcap {

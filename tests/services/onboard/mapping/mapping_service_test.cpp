@@ -174,7 +174,8 @@ Pose turned_left() {
 
 TEST_F(MappingOnDds, AMountThatNobodyKnowsIsSaid) {
   EXPECT_TRUE(neighbours_.until(
-      [&] { return maps() && health_says("camera_optical_frame' sits is not known"); }, [&] { feed(); }))
+      [&] { return maps() && health_says("camera_optical_frame' sits is not known"); },
+      [&] { feed(); }))
       << said_;
 }
 
@@ -197,8 +198,7 @@ TEST_F(MappingOnDds, TheMountIsTheChainFromTheImagesFrame) {
         send(CameraModel::default_mount(), "uav2/base_link", "uav2/camera_depth_optical_frame");
         feed();
       }));
-  EXPECT_TRUE(neighbours_.until([&] { return health_says("nothing"); }, [&] { feed(); }))
-      << said_;
+  EXPECT_TRUE(neighbours_.until([&] { return health_says("nothing"); }, [&] { feed(); })) << said_;
 }
 
 TEST_F(MappingOnDds, AJointCountsAtTheImagesStampAndWithoutItNoImageCounts) {
