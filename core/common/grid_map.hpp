@@ -74,10 +74,13 @@ struct GridMap {
     const Eigen::Vector3i i = index_of(point_enu_m);
     return contains(i) ? 0.01 * unfree_distance_cm[offset_of(i)] : 0.0;
   }
-  /// Distance to what is not passable.
+  /// Distance to what is not passable; 0 outside the grid, whatever is.
   double clearance_m(const Vec3& point_enu_m, Passable passable) const {
-    return passable == Passable::kSeenFree ? unfree_distance_m(point_enu_m)
-                                           : occupied_distance_m(point_enu_m);
+    const Eigen::Vector3i i = index_of(point_enu_m);
+    if (!contains(i)) return 0.0;
+    const auto& distance_cm =
+        passable == Passable::kSeenFree ? unfree_distance_cm : occupied_distance_cm;
+    return 0.01 * distance_cm[offset_of(i)];
   }
 };
 

@@ -242,13 +242,18 @@ void look_in_vain(PersonCloud& cloud, const SearchGround& ground, const Vec2& fr
   }
   cloud.evidence = std::min(1.0, kEvidenceRegained * cloud.evidence * sum);
   if (cloud.evidence < kLeastEvidence) return begin_anywhere(cloud, ground);
-  double heaviest = 0.0;
+  const double least = sum * kLeastWalkerWeight / PersonCloud::kWalkers;
+  double kept = 0.0, heaviest = 0.0;
   for (Walker& w : cloud.walkers) {
-    w.weight /= sum;
+    if (w.weight < least) w.weight = 0.0;
+    kept += w.weight;
+  }
+  for (Walker& w : cloud.walkers) {
+    w.weight /= kept;
     heaviest = std::max(heaviest, w.weight);
   }
   for (Walker& w : cloud.walkers)
-    if (w.weight < kLeastWalkerWeight / PersonCloud::kWalkers) replace(w, cloud, ground, heaviest);
+    if (w.weight == 0.0) replace(w, cloud, ground, heaviest);
   doubt(cloud, ground);
 }
 

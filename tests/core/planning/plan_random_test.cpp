@@ -104,9 +104,10 @@ Vec3 into_map(const GridMap& map, const Vec3& p, double from_edge_m = 1e-6) {
 }
 
 // The claims of the check, by sampling.
-void expect_flyable(const PlannedTrajectory& t, const GridMap& map, const PlanningParams& params) {
+void expect_flyable(const PlannedTrajectory& t, const GridMap& map, Passable passable,
+                    const PlanningParams& params) {
   double allowed_m =
-      std::min(params.check.vehicle_radius_m, map.unfree_distance_m(t.position(0.0)));
+      std::min(params.check.vehicle_radius_m, map.clearance_m(t.position(0.0), passable));
   for (double at_s = 0.0; at_s < t.duration_s(); at_s += 0.02) {
     ASSERT_LE(t.velocity(at_s).norm(), 1.002 * params.limits.speed_max_m_s);
     ASSERT_LE(t.acceleration(at_s).norm(), 1.002 * params.limits.acceleration_max_m_s2);
@@ -116,13 +117,13 @@ void expect_flyable(const PlannedTrajectory& t, const GridMap& map, const Planni
     if (allowed_m > 0.0) {
       ASSERT_LT((p - inside).norm(), 0.25 * map.resolution_m) << "at " << at_s;
     }
-    const double clearance_m = map.unfree_distance_m(inside);
+    const double clearance_m = map.clearance_m(inside, passable);
     // Beside the check's own samples, the corner of one more cell may be cut.
     ASSERT_GE(clearance_m, allowed_m - map.resolution_m)
         << "at " << at_s << " s, " << t.position(at_s).transpose();
     // From outside the map, its edge may be grazed as well before it is entered.
     const bool entered = (p - into_map(map, p, 0.5 * map.resolution_m)).norm() < 1e-9;
-    if (entered && map.unfree_distance_m(p) >= params.check.vehicle_radius_m)
+    if (entered && map.clearance_m(p, passable) >= params.check.vehicle_radius_m)
       allowed_m = params.check.vehicle_radius_m;
   }
   ASSERT_LT(t.velocity(t.duration_s() - 1e-6).norm(), 1e-2);
@@ -162,7 +163,8 @@ TEST(PlanAnything, IsFiniteAndWhatIsNewPassedTheCheck) {
       ASSERT_FALSE(t.pieces.empty());
       if (t.status != PlanStatus::kFresh && t.status != PlanStatus::kSearch) continue;
       ++fresh;
-      ASSERT_NO_FATAL_FAILURE(expect_flyable(t, map, params)) << "world " << w << ", plan " << i;
+      ASSERT_NO_FATAL_FAILURE(expect_flyable(t, map, state.flown_through, params))
+          << "world " << w << ", plan " << i;
     }
   }
   EXPECT_GT(fresh, plans / 4);

@@ -290,10 +290,13 @@ TEST(CheckPlan, WhatIsFlownGoesOnIntoTheUnseenWhileAStopWouldBeWalkedInto) {
   loop.extra.bodies = &bodies;
   loop.extra.bodies_at_s = loop.now_s;
   ASSERT_EQ(loop.give(loop.plan()), PlanFault::kNone);
-  while (loop.vehicle.position_enu_m.z() < 2.1) {
+  double climb_m_s = 0.0;
+  do {
+    climb_m_s = loop.vehicle.velocity_enu_m_s.z();
     loop.extra.bodies_at_s = loop.now_s;
-    ASSERT_EQ(loop.tick().mode, SafetyMode::kTrack) << loop.vehicle.position_enu_m.z();
-  }
+  } while (loop.tick().mode != SafetyMode::kBrake && loop.vehicle.position_enu_m.z() < 2.2);
+  const double stop_z_m = loop.vehicle.position_enu_m.z() + climb_m_s * climb_m_s / (2.0 * 3.0);
+  EXPECT_GT(stop_z_m - 0.25 - 1.75, 0.28) << "it brakes once a stop keeps the floor";
   Climbs alone;
   ASSERT_EQ(alone.give(alone.plan()), PlanFault::kNone);
   alone.extra.map = &unseen;
