@@ -296,7 +296,7 @@ TEST(CheckPlan, WhatIsFlownGoesOnIntoTheUnseenWhileAStopWouldBeWalkedInto) {
     loop.extra.bodies_at_s = loop.now_s;
   } while (loop.tick().mode != SafetyMode::kBrake && loop.vehicle.position_enu_m.z() < 2.2);
   const double stop_z_m = loop.vehicle.position_enu_m.z() + climb_m_s * climb_m_s / (2.0 * 3.0);
-  EXPECT_GT(stop_z_m - 0.25 - 1.75, 0.28) << "it brakes once a stop keeps the floor";
+  EXPECT_GT(stop_z_m, 2.2 - 0.1) << "it brakes once a stop leads as high as the plan";
   Climbs alone;
   ASSERT_EQ(alone.give(alone.plan()), PlanFault::kNone);
   alone.extra.map = &unseen;
