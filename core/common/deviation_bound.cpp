@@ -11,10 +11,19 @@ namespace {
 constexpr double kShare = 0.99;
 constexpr double kStep_m = 0.02;  // by which one greater deviation widens the bound
 constexpr double kLeast_m = 0.03, kMost_m = 0.30;
-constexpr double kFirstAtRest_m = 0.05, kFirstBySpeed_s = 0.05;  // before anything is measured
+constexpr double kFirstAtRest_m = 0.05, kFirstBySpeed_s = 0.03;  // before anything is measured
 constexpr double kHard_m_s2 = 2.0;
+constexpr double kLate_s = 0.15;
 
 }  // namespace
+
+double beside_path_m(const Vec3& off_m, const Vec3& planned_velocity_m_s) {
+  const double speed_m_s = planned_velocity_m_s.norm();
+  if (speed_m_s < 1e-3) return off_m.norm();
+  const Vec3 direction = planned_velocity_m_s / speed_m_s;
+  const double late_m = std::clamp(off_m.dot(direction), -kLate_s * speed_m_s, kLate_s * speed_m_s);
+  return (off_m - late_m * direction).norm();
+}
 
 DeviationBound::DeviationBound() {
   for (Bounds& bounds : bounds_m_)

@@ -5,7 +5,13 @@
 
 #include <array>
 
+#include "core/common/geometry.hpp"
+
 namespace foretrack {
+
+/// How far a vehicle is from its plan's path. That it is late or early on it, by up to 0.15 s, is
+/// no way off it.
+double beside_path_m(const Vec3& off_m, const Vec3& planned_velocity_m_s);
 
 /// A running bound by planned speed and acceleration: the 99th percentile of the deviations so far,
 /// those of late more than those of long ago. Before there are any, of a vehicle that follows well.
