@@ -11,6 +11,8 @@ foreach(library ${libraries})
   add_library(foretrack::${stage} ALIAS ${library})
 endforeach()
 
+add_custom_target(core_libraries DEPENDS ${libraries})
+
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/foretrack)
 install(TARGETS ${libraries} EXPORT foretrack
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT core)

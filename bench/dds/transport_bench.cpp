@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One-way latency, losses and processor time between two processes, by topic class, under the QoS
-// profiles that $FORETRACK_SHARE/qos/profiles.xml says.
+// profiles that $FORETRACK_SHARE/qos/profiles.xml says. With a folder of identities
+// (`foretrack security issue --vehicle uav1`) as its argument, over a secured bus.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -38,16 +39,26 @@ double cpu_ms(int who) {
   return ms(usage.ru_utime) + ms(usage.ru_stime);
 }
 
-NodeOptions options(const std::string& service, int domain) {
+std::string identities;  // empty: not secured
+
+NodeOptions options(const std::string& service, int domain, Role role) {
   NodeOptions result;
   result.service = service;
   result.domain_id = domain;
+  if (!identities.empty()) result.security = identities + '/' + name_of(role);
   return result;
+}
+
+// Who may write the topic on a vehicle.
+Role writer_of(const TopicInfo& info) {
+  for (const Role role : kRoles)
+    if (info.writers.has(role)) return role;
+  return Role::kVehicle;
 }
 
 template <class Topic>
 void send(int domain, double period_s, const typename Topic::Type& prototype) {
-  Node node(options("sender", domain));
+  Node node(options("sender", domain, writer_of(Topic::info)));
   Writer<Topic> writer(node);
   writer.sample() = prototype;
   const double deadline = now_s() + 10.0;
@@ -64,7 +75,7 @@ void send(int domain, double period_s, const typename Topic::Type& prototype) {
 
 template <class Topic>
 void receive(int domain, std::vector<double>& latencies_us) {
-  Node node(options("receiver", domain));
+  Node node(options("receiver", domain, Role::kVehicle));
   Reader<Topic> reader(node);
   Stop stop;
   Loop loop(node, stop);
@@ -117,8 +128,9 @@ void measure(const char* name, double rate_hz, const typename Topic::Type& proto
 }  // namespace
 }  // namespace foretrack
 
-int main() {
+int main(int argc, char** argv) {
   using namespace foretrack;
+  if (argc > 1) identities = argv[1];
   foretrack_msgs::msg::TargetState state;
   measure<topics::TargetState>("state", 100, state);
 

@@ -2,6 +2,7 @@
 #include "core/mapping/octree_io.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -30,16 +31,54 @@ std::size_t node_length(std::string_view bytes, int depth) {
   return length;
 }
 
+// The same of a full tree (.ot): four bytes of log-odds and one of children a node. 0 also if the
+// log-odds are no number.
+std::size_t full_node_length(std::string_view bytes, int depth) {
+  constexpr std::size_t kNode = sizeof(float) + 1;
+  float log_odds = 0.0F;
+  if (bytes.size() < kNode || depth > kTreeDepth) return 0;
+  std::memcpy(&log_odds, bytes.data(), sizeof log_odds);
+  if (!std::isfinite(log_odds)) return 0;
+  const auto children = static_cast<unsigned char>(bytes[sizeof log_odds]);
+  std::size_t length = kNode;
+  for (int child = 0; child < 8; ++child) {
+    if ((children >> child & 1) == 0) continue;
+    const std::size_t below = full_node_length(bytes.substr(length), depth + 1);
+    if (below == 0) return 0;
+    length += below;
+  }
+  return length;
+}
+
+std::unique_ptr<octomap::OcTree> full_octree_from_bytes(const std::string& bytes,
+                                                        double resolution_m) {
+  auto tree = std::make_unique<octomap::OcTree>(resolution_m);
+  if (bytes.empty()) return tree;
+  if (full_node_length(bytes, 0) != bytes.size())
+    throw std::invalid_argument("octree: the bytes are not exactly one octree");
+  std::istringstream stream(bytes);
+  tree->readData(stream);
+  return tree;
+}
+
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw std::invalid_argument("map " + path + ": " + what);
 }
 
+struct Header {
+  double resolution_m = 0.0;
+  bool full = false;
+};
+
 // The lines before the nodes: `id`, `res`, comments, `data`.
-double read_header(std::istream& file, const std::string& path) {
+Header read_header(std::istream& file, const std::string& path) {
+  constexpr std::string_view kBinary = "# Octomap OcTree binary file",
+                             kFull = "# Octomap OcTree file";
   std::string line, id;
   double resolution_m = 0.0;
-  if (!std::getline(file, line) || line != "# Octomap OcTree binary file")
-    fail(path, "is not an OctoMap binary file (.bt)");
+  if (!std::getline(file, line) || (line != kBinary && line != kFull))
+    fail(path, "is not an OctoMap file (.bt or .ot)");
+  const bool full = line == kFull;
   while (std::getline(file, line) && line != "data") {
     std::istringstream words(line);
     std::string word;
@@ -49,7 +88,7 @@ double read_header(std::istream& file, const std::string& path) {
   }
   if (id != "OcTree") fail(path, "holds a '" + id + "', expected an 'OcTree'");
   if (!(resolution_m > 0.0)) fail(path, "has no resolution");
-  return resolution_m;
+  return {resolution_m, full};
 }
 
 }  // namespace
@@ -75,11 +114,12 @@ std::unique_ptr<octomap::OcTree> octree_from_bytes(std::string_view bytes, doubl
 std::unique_ptr<octomap::OcTree> read_octree(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "cannot be opened");
-  const double resolution_m = read_header(file, path);
+  const auto [resolution_m, full] = read_header(file, path);
   std::ostringstream bytes;
   if (file.peek() != std::ifstream::traits_type::eof()) bytes << file.rdbuf();
   try {
-    return octree_from_bytes(std::move(bytes).str(), resolution_m);
+    return full ? full_octree_from_bytes(std::move(bytes).str(), resolution_m)
+                : octree_from_bytes(std::move(bytes).str(), resolution_m);
   } catch (const std::invalid_argument& error) {
     fail(path, error.what());
   }

@@ -20,8 +20,8 @@ std::string octree_bytes(const octomap::OcTree& tree);
 /// not exactly one octree, or the resolution is not above 0.
 std::unique_ptr<octomap::OcTree> octree_from_bytes(std::string_view bytes, double resolution_m);
 
-/// Reads a .bt file, as OctoMap's own tools write it. Throws std::invalid_argument that names the
-/// file and what is wrong with it.
+/// Reads a .bt or an .ot file, as OctoMap's own tools write them. Throws std::invalid_argument that
+/// names the file and what is wrong with it.
 std::unique_ptr<octomap::OcTree> read_octree(const std::string& path);
 /// Writes a .bt file. Throws std::invalid_argument that names the file if it cannot be written.
 void write_octree(const octomap::OcTree& tree, const std::string& path);

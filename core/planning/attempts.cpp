@@ -76,11 +76,8 @@ PlanReason attempt_all(PlanningState& s, const PlanTask& task,
 }
 
 void aim(PlanningState& s, const PlanTask& task, PlannedTrajectory& trajectory) {
-  const double lost_s = task.input.now_s - s.lost_since_s;
   if (s.expected.count == 0)
     hold_camera(task.start, task.params, s.aim, trajectory);
-  else if (task.lost && lost_s > task.params.view.search_look_s)
-    sweep_camera(task.start, s.search_turn, task.params, s.aim, trajectory);
   else
     aim_camera(task.start, s.expected, task.params, s.aim, trajectory);
 }

@@ -16,8 +16,7 @@ namespace foretrack {
 PlanReason attempt_all(PlanningState& state, const PlanTask& task,
                        const std::optional<QuinticPiece>& first, StageClock& clock);
 
-/// Points the camera to where the target is expected, sweeps it round while a lost one is searched
-/// for, and holds it if nobody is expected.
+/// Points the camera to where the target is expected, and holds it if nobody is expected.
 void aim(PlanningState& state, const PlanTask& task, PlannedTrajectory& trajectory);
 
 /// Checks a trajectory from the task's start, and sets that start.

@@ -9,14 +9,6 @@ bool is_finite(const TargetState& target) {
          std::isfinite(target.stamp_s);
 }
 
-// The camera turns on round the side where the target was going.
-void begin_search(PlanningState& state, const PlanInput& input) {
-  state.lost_since_s = input.now_s;
-  const Vec3& last = state.belief.paths[0].states.back().position_enu_m;
-  const double bearing_rad = yaw_of(Vec2((last - input.vehicle.position_enu_m).head<2>()));
-  state.search_turn = wrap_angle(bearing_rad - input.vehicle.yaw_rad()) >= 0.0 ? 1.0 : -1.0;
-}
-
 }  // namespace
 
 PlanReason expect_target(PlanningState& state, const PlanInput& input,
@@ -28,10 +20,11 @@ PlanReason expect_target(PlanningState& state, const PlanInput& input,
       update_belief(state.belief, target, input.prediction, params);
     state.seen_before = true;
     state.lost_since_s = -1.0;
+    state.search.active = false;
     return PlanReason::kOk;
   }
   if (!state.seen_before) return PlanReason::kNoTarget;
-  if (!state.lost()) begin_search(state, input);
+  if (!state.lost()) state.lost_since_s = input.now_s;
   const bool searching = input.now_s - state.lost_since_s < params.search_s;
   return searching ? PlanReason::kOk : PlanReason::kTargetLost;
 }

@@ -8,6 +8,7 @@
 #include "core/planning/follow_target.hpp"
 #include "core/planning/motion/stop_tail.hpp"
 #include "core/planning/publish_plan.hpp"
+#include "core/planning/search_target.hpp"
 #include "core/planning/see/expect_bodies.hpp"
 
 namespace foretrack {
@@ -19,16 +20,31 @@ bool is_finite(const PlanInput& in) {
          in.vehicle.angular_velocity_body_rad_s.allFinite();
 }
 
-// The person whom a search does not see may be near.
-FlightLimits limits_of_search(const PlanningParams& params) {
+constexpr double kSlower_m_s = 0.3;  // that a vehicle may be too fast before it brakes at once
+constexpr double kWaits_m_s = 0.02;
+
+// The person whom a search does not see may be near. Who is a little too fast gets no faster.
+FlightLimits limits_of_search(const PlanningState& state, const PlanStart& start,
+                              const PlanningParams& params) {
   FlightLimits limits = params.limits;
-  limits.speed_max_m_s = std::min(limits.speed_max_m_s, params.view.search_speed_m_s);
+  limits.speed_max_m_s =
+      std::min(limits.speed_max_m_s,
+               std::max(search_speed_m_s(state.search, params), start.state.velocity.norm()));
   return limits;
 }
 
-bool is_too_fast(const PlanStart& start, const PlanningParams& params) {
-  return start.state.velocity.norm() >
-         (1.0 + params.check.limit_tolerance) * params.view.search_speed_m_s;
+bool is_too_fast(const PlanningState& state, const PlanStart& start, const PlanningParams& params) {
+  return start.state.velocity.norm() > search_speed_m_s(state.search, params) + kSlower_m_s;
+}
+
+// The search is over: the vehicle stands, and looks where they most likely are.
+const PlanResult& wait(PlanningState& state, const PlanTask& task, StageClock& clock) {
+  const bool stands = task.start.state.velocity.norm() < kWaits_m_s;
+  if (!stands || wait_for_target(state, task, clock) != PlanReason::kOk)
+    return fall_back(state, task, PlanReason::kTargetLost, clock);
+  publish(state, task, 0.0, clock);
+  state.flown_result().trajectory.status = PlanStatus::kHold;
+  return state.flown_result();
 }
 
 void learn_deviation(PlanningState& state, const PlanInput& input) {
@@ -56,18 +72,27 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
   // may be.
   const PlanStart start = choose_start(state.flown_result().trajectory, input, params);
   const PlanReason expected = expect_target(state, input, params.horizon);
-  expect_bodies(input, expected == PlanReason::kOk ? &state.belief : nullptr, params.body,
+  const bool lost = state.lost(), searches = lost && expected == PlanReason::kOk;
+  if (lost) search_on(state, input, start, searches, params);
+  expect_bodies(input, expected == PlanReason::kOk && !lost ? &state.belief : nullptr, params.body,
                 state.courses);
-  const bool searches = state.lost() && expected == PlanReason::kOk;
-  const bool slows_down = searches && is_too_fast(start, params);
-  const PlanTask task{input, params,
-                      searches && !slows_down ? limits_of_search(params) : params.limits, start,
-                      state.lost()};
+  if (lost) add_near_belief(state.search, input.now_s, params.body, state.courses);
+  const bool slows_down = searches && is_too_fast(state, start, params);
+  const PlanTask task{
+      input, params,
+      searches && !slows_down ? limits_of_search(state, start, params) : params.limits, start,
+      lost};
+  if (expected == PlanReason::kTargetLost) return wait(state, task, clock);
   if (expected != PlanReason::kOk) return fall_back(state, task, expected, clock);
   if (slows_down) {
     const PlanReason stop = try_stop(state, task, clock);
     return stop == PlanReason::kOk ? publish(state, task, 0.0, clock)
                                    : fall_back(state, task, stop, clock);
+  }
+  if (searches) {
+    const PlanReason reason = search_target(state, task, clock);
+    return reason == PlanReason::kOk ? publish(state, task, 0.0, clock)
+                                     : fall_back(state, task, reason, clock);
   }
 
   // The paper's §V, and the check.

@@ -23,7 +23,8 @@ ParamRows rows(HorizonParams& p) {
        "an older target state is lost, an older prediction is not used"},
       {"map_stale_s", &p.map_stale_s, "s", 0.1, 60.0,
        "an older map is none, unless it is known (stamp 0)"},
-      {"search_s", &p.search_s, "s", 0.0, 120.0, "a lost target is searched for so long"},
+      {"search_s", &p.search_s, "s", 0.0, 3600.0,
+       "a lost target is searched for so long; then it is waited for"},
       {"target_radius_m", &p.target_radius_m, "m", 0.0, 1.0,
        "so near the person, occupied cells do not block sight"},
       {"hedging", &p.hedging, "", 0, 0, "expectation over the intention paths; else the likeliest"},
@@ -83,12 +84,8 @@ ParamRows rows(ViewParams& p) {
        "yaw follows where the target is expected; else it points to where the target is"},
       {"yaw_effort", &p.yaw_effort, "s4", 1e-6, 1.0,
        "weight of squared yaw acceleration against squared bearing error"},
-      {"search_look_s", &p.search_look_s, "s", 0.0, 60.0,
-       "a search looks for so long where the target was lost"},
-      {"search_rate_rad_s", &p.search_rate_rad_s, "rad/s", 0.1, 5.0,
-       "then turns the camera round at this rate"},
       {"search_speed_m_s", &p.search_speed_m_s, "m/s", 0.1, 20.0,
-       "the vehicle searches no faster, since the person may be near"},
+       "the vehicle searches no faster where the person may be near"},
       {"gimbal", &p.gimbal, "", 0, 0, "plan the pitch of a gimbal as well"},
       {"gimbal_rate_max_rad_s", &p.gimbal_rate_max_rad_s, "rad/s", 0.1, 10.0,
        "greatest pitch rate of the gimbal"},
@@ -111,6 +108,7 @@ ParamRows rows(PlanningParams& p) {
   append(all, rows(p.optimizer));
   append(all, rows(p.check));
   append(all, rows(p.body));
+  append(all, rows(p.search));
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include "core/planning/motion/flight_limits.hpp"
 #include "core/planning/motion/keep_clear.hpp"
 #include "core/planning/optimize/optimize_trajectory.hpp"
+#include "core/planning/search/search_params.hpp"
 
 namespace foretrack {
 
@@ -24,7 +25,7 @@ struct HorizonParams {
   double vehicle_stale_s = 0.5;  ///< an older vehicle state is not planned from
   double target_stale_s = 0.6;   ///< an older target state is lost, an older prediction is not used
   double map_stale_s = 2.0;      ///< an older map is none, unless it is known (stamp 0)
-  double search_s = 12.0;        ///< a lost target is searched for so long
+  double search_s = 60.0;        ///< a lost target is searched for so long; then it is waited for
   double target_radius_m = 0.35;  ///< so near the person, occupied cells do not block sight
   bool hedging = true;            ///< expectation over the intention paths; else the likeliest
   /// turn scores widen the margins of sight, deceleration the distance
@@ -74,11 +75,9 @@ struct ViewParams {
   double fov_margin_rad = 0.2;  ///< the yaw plan keeps the target so far inside the angle of view
   /// yaw follows where the target is expected; else it points to where the target is
   bool yaw_ahead = true;
-  double yaw_effort = 0.002;   ///< weight of squared yaw acceleration against squared bearing error
-  double search_look_s = 1.0;  ///< a search looks for so long where the target was lost
-  double search_rate_rad_s = 1.2;  ///< then turns the camera round at this rate
-  double search_speed_m_s = 1.0;   ///< the vehicle searches no faster, since the person may be near
-  bool gimbal = false;             ///< plan the pitch of a gimbal as well
+  double yaw_effort = 0.002;  ///< weight of squared yaw acceleration against squared bearing error
+  double search_speed_m_s = 1.5;  ///< the vehicle searches no faster where the person may be near
+  bool gimbal = false;            ///< plan the pitch of a gimbal as well
   double gimbal_rate_max_rad_s = 2.0;            ///< greatest pitch rate of the gimbal
   double gimbal_acceleration_max_rad_s2 = 10.0;  ///< greatest pitch acceleration of the gimbal
 };
@@ -92,6 +91,7 @@ struct PlanningParams {
   OptimizerParams optimizer;
   CheckParams check;
   GapParams body;
+  SearchParams search;
 
   double distance_wanted_m() const { return 0.5 * (place.kept_low_m() + place.kept_high_m()); }
   double path_clearance_m() const { return check.vehicle_radius_m + place.search_clearance_m; }

@@ -39,6 +39,8 @@ void reserve(PlanningState& s) {
   std::vector<Polytope> all;
   resize_polytopes(s.corridor, all, 3 * kMaxPieces / kPiecesPerPolytope);
   resize_polytopes(s.corridor, all, 0);
+  reserve(s.search);
+  s.watched.paths[0].states.reserve(1);
   s.reserved = true;
 }
 

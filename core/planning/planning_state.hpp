@@ -5,6 +5,7 @@
 #include "core/planning/motion/aim_camera.hpp"
 #include "core/planning/motion/check_trajectory.hpp"
 #include "core/planning/motion/deviation_bound.hpp"
+#include "core/planning/search/lost_person.hpp"
 #include "core/planning/see/look_ahead.hpp"
 #include "core/planning/way/corridor.hpp"
 
@@ -50,7 +51,7 @@ struct PlanningState {
   TargetBelief belief;
   bool seen_before = false;    // there is a belief to search by
   double lost_since_s = -1.0;  // < 0: not lost
-  double search_turn = 1.0;    // +1: the camera of a search turns to the left; −1: to the right
+  LostPerson search;           // where a lost target can be
   bool lost() const { return lost_since_s >= 0.0; }
 
   // Results of the steps of one plan, kept for their memory.
@@ -64,6 +65,7 @@ struct PlanningState {
   OptimizationProblem problem;
   OptimizerState optimizer;
   AimWorkspace aim;
+  TargetBelief watched;       // what a search looks at, as a target that stands there
   PlannedTrajectory evading;  // the best evasion, until it is taken
   int level_tried = 0;        // of the levels beside the wanted one
 };

@@ -12,6 +12,7 @@
 #include "core/simulator/depth_camera.hpp"
 #include "core/simulator/encounter.hpp"
 #include "core/simulator/generate_world.hpp"
+#include "core/simulator/hiding.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "core/simulator/quadrotor.hpp"
 #include "core/simulator/track.hpp"
@@ -55,6 +56,7 @@ struct Scenario {
   std::string person = "boy";     // who is rendered; services/offline/people has the names
   std::vector<BystanderSpec> bystanders;  // not on the known map
   std::optional<Encounter> encounter;     // what was staged, if something was
+  std::optional<HidingKind> hiding;       // the same
   MapSource map = MapSource::kKnown;
   double map_resolution_m = 0.15;
   double duration_s = 60.0;

@@ -106,6 +106,20 @@ void print_encounters(const std::vector<EncounterCell>& cells, std::string_view 
         c.hovering_flights);
 }
 
+void print_hidings(const std::vector<HidingCell>& cells) {
+  if (cells.empty()) return;
+  fmt::print("\n{:<10}{:<13}{:<7}{:>8}  {:>9}  {:>15}  {:>7} {:>7}  {:>8} {:>6}  {:>6}\n", "kind",
+             "method", "map", "hidden s", "found 8 s", "95 % interval", "p50 s", "p90 s",
+             "contacts", "walls", "gap m");
+  for (const HidingCell& c : cells)
+    fmt::print(
+        "{:<10}{:<13}{:<7}{:>8}  {:>4}/{:<4}  {:>5.1f} … {:>5.1f} %  {:>7.1f} {:>7.1f}  {:>8} "
+        "{:>6}  {:>6.2f}\n",
+        c.name, c.method, to_string(c.map), fmt::format("{}–{}", c.hidden_from_s, c.hidden_to_s),
+        c.found, c.hidings, 100.0 * c.found_95.low, 100.0 * c.found_95.high, c.until_found_p50_s,
+        c.until_found_p90_s, c.contacts, c.wall_contacts, c.least_gap_m);
+}
+
 std::string command_of(const Options& o) {
   const BenchRequest& q = o.request;
   std::string text =
@@ -160,6 +174,7 @@ int bench_with(Options o) {
   const BenchResults results = run_bench(o.request, o.bench);
   if (interrupted != 0)
     fmt::print("\ninterrupted: these are the {} flights until then\n", results.jobs.size());
+  print_hidings(results.hidings);
   if (results.encounters.empty()) {
     print_cells(results);
   } else {
@@ -182,11 +197,11 @@ std::function<int()> prepare_bench(CLI::App& app) {
   BenchRequest& q = o->request;
   app.add_option("NAME", o->names,
                  "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
-                 "chests, real_tracks_chest, encounters, encounters_all_round")
+                 "chests, real_tracks_chest, encounters, encounters_all_round, search")
       ->capture_default_str();
   app.add_option("--runs", q.runs, "seeds a world (real_tracks: pedestrians) instead of the usual")
       ->check(CLI::Range(1, 100000));
-  app.add_option("--seed", q.seed, "the first seed; missing: 5001, encounters 20001")
+  app.add_option("--seed", q.seed, "the first seed; missing: 5001, encounters 20001, search 31001")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,
                  "names of deploy/params, or parameter files, parted by commas; missing: all, "
@@ -202,9 +217,9 @@ std::function<int()> prepare_bench(CLI::App& app) {
   app.add_option("--scenario", q.scenario_files, "own worlds and routes instead of the usual")
       ->check(CLI::ExistingFile);
   app.add_option("--tracks", q.track_files, "track files of real_tracks")->check(CLI::ExistingFile);
-  app.add_option("--track-rate", q.track_rate_hz, "their frames a second")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->capture_default_str();
+  app.add_option("--track-rate", q.track_rate_hz,
+                 "their frames a second; missing: as the files say, else 25")
+      ->check(CLI::Range(0.01, 1000.0));
   app.add_option("--out", o->out, "folder for summary.json, report.html, plots and logs");
   app.add_option("--logs", o->logs, "which logs are kept: none, failed, all")
       ->check(CLI::IsMember({"none", "failed", "all"}))

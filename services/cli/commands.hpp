@@ -15,14 +15,14 @@ struct Command {
   std::function<int()> (*prepare)(CLI::App& app);
 };
 
-/// Those that need no DDS: fly, bench, perceive, params, scenarios.
+/// Those that need no DDS: fly, bench, perceive, params, scenarios, map.
 std::vector<Command> flight_commands();
 
-/// The services of the vehicle and the simulator. Only in a build with DDS.
+/// The services of the vehicle, what checks its file, and the simulator. Only in a build with DDS.
 std::vector<Command> service_commands();
 
-/// What an operator uses: up, demo, order, monitor, topics, doctor, station, record, replay. Only
-/// in a build with DDS.
+/// What an operator uses: up, demo, order, monitor, topics, doctor, station, record, replay,
+/// discovery-server, security. Only in a build with DDS.
 std::vector<Command> operator_commands();
 
 std::function<int()> prepare_fly(CLI::App& app);
@@ -30,6 +30,7 @@ std::function<int()> prepare_bench(CLI::App& app);
 std::function<int()> prepare_perceive(CLI::App& app);
 std::function<int()> prepare_params(CLI::App& app);
 std::function<int()> prepare_scenarios(CLI::App& app);
+std::function<int()> prepare_map(CLI::App& app);
 std::function<int()> prepare_up(CLI::App& app);
 std::function<int()> prepare_demo(CLI::App& app);
 std::function<int()> prepare_order(CLI::App& app);
@@ -39,5 +40,8 @@ std::function<int()> prepare_doctor(CLI::App& app);
 std::function<int()> prepare_station(CLI::App& app);
 std::function<int()> prepare_record(CLI::App& app);
 std::function<int()> prepare_replay(CLI::App& app);
+std::function<int()> prepare_check(CLI::App& app);
+std::function<int()> prepare_discovery_server(CLI::App& app);
+std::function<int()> prepare_security(CLI::App& app);
 
 }  // namespace foretrack

@@ -19,8 +19,15 @@ struct DoctorArguments {
   NodeOptions node;
   std::string params_file;
   bool json = false;
+  bool camera = false;  // only what is of cameras
   double for_s = 3.0;
 };
+
+bool is_of_cameras(const Finding& finding) {
+  for (const char* stage : {"camera", "calibration", "mount", "detection", "depth"})
+    if (finding.stage == stage) return true;
+  return false;
+}
 
 std::vector<Finding> examine(DoctorArguments arguments) {
   auto findings = check_installation(arguments.params_file);
@@ -38,6 +45,7 @@ std::vector<Finding> examine(DoctorArguments arguments) {
   });
   loop.run();
   for (auto& finding : diagnose(listener.snapshot())) findings.push_back(std::move(finding));
+  if (arguments.camera) std::erase_if(findings, [](const Finding& f) { return !is_of_cameras(f); });
   return findings;
 }
 
@@ -72,6 +80,7 @@ std::function<int()> prepare_doctor(CLI::App& app) {
   app.add_option("--for", arguments->for_s, "Listen for so many seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag("--camera", arguments->camera, "Only cameras, and which preset fits them");
   app.add_flag("--json", arguments->json, "For programs");
   return [arguments] { return run_doctor(*arguments); };
 }

@@ -11,7 +11,8 @@ std::vector<Command> flight_commands() {
       {"perceive", "people in pictures, videos and cameras: landmarks, position, yaw",
        prepare_perceive},
       {"params", "the parameters of the stages, with units, ranges and meanings", prepare_params},
-      {"scenarios", "the scenarios that ship with the program", prepare_scenarios}};
+      {"scenarios", "the scenarios that ship with the program", prepare_scenarios},
+      {"map", "the extents and cells of an OctoMap file", prepare_map}};
 }
 
 }  // namespace foretrack

@@ -97,7 +97,9 @@ std::function<int()> prepare_fly(CLI::App& app) {
   app.add_option("--track", o->overrides.track_file, "walk as a recorded pedestrian of this file")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", o->overrides.pedestrian, "which one of the track file");
-  app.add_option("--track-rate", o->overrides.track_rate_hz, "frames a second of the track file");
+  app.add_option("--track-rate", o->overrides.track_rate_hz,
+                 "frames a second of the track file; missing: as it says, else 25")
+      ->check(CLI::Range(0.01, 1000.0));
   app.add_flag("--camera", o->overrides.color_images,
                "see rendered images through the pose network");
   app.add_option("--for", o->overrides.duration_s, "seconds to fly")->check(CLI::PositiveNumber);

@@ -13,7 +13,10 @@ std::vector<Command> operator_commands() {
       {"doctor", "why the vehicle does not move", prepare_doctor},
       {"station", "the ground station: watch, record and command from a browser", prepare_station},
       {"record", "every topic to MCAP files", prepare_record},
-      {"replay", "a recording, to the station's page or onto the bus", prepare_replay}};
+      {"replay", "a recording, to the station's page or onto the bus", prepare_replay},
+      {"discovery-server", "where processes meet that multicast does not reach",
+       prepare_discovery_server},
+      {"security", "keys for a secured bus: make, renew, check, revoke", prepare_security}};
 }
 
 }  // namespace foretrack

@@ -10,6 +10,7 @@
 
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
+#include "services/cli/vehicle_file.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
 #include "services/launch/launcher.hpp"
@@ -43,7 +44,8 @@ int print_params(const ServiceOptions& options, const char* stage) {
 std::function<int()> prepare_onboard_service(CLI::App& app, const OnboardService& service) {
   const auto options = std::make_shared<ServiceOptions>();
   add_options(app, *options);
-  return [options, service] {
+  return [&app, options, service] {
+    take_vehicle_file(app, options->config_file);
     if (options->print_params) return print_params(*options, service.params);
     const TrackerParams params = params_of(*options);
     return run_until_stopped(*options, [&](Stop& stop) { service.run(*options, params, stop); });
@@ -71,7 +73,8 @@ std::shared_ptr<StageOptions> add_stage_options(CLI::App& app) {
 
 std::function<int()> prepare_stages(CLI::App& app) {
   const auto o = add_stage_options(app);
-  return [o] {
+  return [&app, o] {
+    take_vehicle_file(app, o->service.config_file);
     if (o->service.print_params) return print_params(o->service, "");
     const TrackerParams params = params_of(o->service);
     return run_until_stopped(o->service,
@@ -97,7 +100,8 @@ int supervise(const std::vector<ProcessSpec>& processes, const std::string& log_
 
 std::function<int()> prepare_onboard(CLI::App& app) {
   const auto o = add_stage_options(app);
-  return [o] {
+  return [&app, o] {
+    take_vehicle_file(app, o->service.config_file);
     if (o->service.print_params) return print_params(o->service, "");
     params_of(o->service);  // throws what a user must correct
     const auto process = [&](const char* name, std::vector<std::string> words) {
@@ -158,6 +162,7 @@ std::vector<Command> service_commands() {
           {"stages", "all services of the vehicle but the gate, in one process", prepare_stages},
           {"onboard", "the vehicle: the stages and the gate, each started again when it ends",
            prepare_onboard},
+          {"check", "whether the vehicle would start with its file", prepare_check},
           {"simulator", "vehicle, cameras and person of a scenario", prepare_simulator}};
 }
 

@@ -58,7 +58,9 @@ void add_domain(CLI::App& app, StationArguments& arguments) {
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
-  add_network_options(app, arguments.options.node.interface, arguments.options.node.security);
+  auto& node = arguments.options.node;
+  add_network_options(app, node.interface, node.security);
+  add_meeting_options(app, node.peers, node.discovery_server);
 }
 
 void add_server_options(CLI::App& app, StationArguments& arguments) {
@@ -120,7 +122,8 @@ int run_record(const RecordArguments& arguments) {
   set_up_logging("warning");
   Stop stop;
   SignalStop signals(stop);
-  const StationOptions options = complete(arguments.shared);
+  StationOptions options = complete(arguments.shared);
+  options.node.service = "record";
   station::recover_recordings(options.recorder.folder);
   station::Recorder recorder(options.recorder);
   const auto node = std::make_shared<Node>(options.node);
@@ -164,8 +167,9 @@ int run_replay(const ReplayArguments& arguments) {
   }
   options.node.service = "replay";
   Node node(options.node);
-  const auto written = station::replay_onto_dds({replay, arguments.with_commands}, node, stop);
-  fmt::print("{} samples written\n", written);
+  const auto done = station::replay_onto_dds({replay, arguments.with_commands}, node, stop);
+  fmt::print("{} samples written\n", done.samples);
+  if (!done.fault.empty()) fmt::print(stderr, "{}: {}\n", arguments.file, done.fault);
   return 0;
 }
 

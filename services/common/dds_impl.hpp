@@ -2,6 +2,7 @@
 // The DDS halves of Node, its endpoints and Stop. Only .cpp files of this folder include it.
 #pragma once
 
+#include <atomic>
 #include <fastdds/dds/core/condition/GuardCondition.hpp>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -40,6 +41,7 @@ struct Node::Dds {
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
   std::map<std::string, dds::Topic*> topics;
+  std::string px4_release;
   std::mutex raw_mutex;  // raw endpoints may be made by several threads
   dds::DataWriter* ros_discovery = nullptr;
   mutable std::mutex error_mutex;
@@ -67,6 +69,8 @@ struct ReaderCore::Dds : dds::DataReaderListener {
   Node& node;
   EndpointStats& stats;
   dds::DataReader* reader = nullptr;
+  bool any_writer = false;                      // and the reader is still reliable
+  std::atomic<bool> wants_best_effort = false;  // a writer is there that is not reliable
 };
 
 }  // namespace foretrack

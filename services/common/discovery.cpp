@@ -104,6 +104,13 @@ void DiscoveryWatch::on_participant_discovery(
   }
 }
 
+void DiscoveryWatch::onParticipantAuthentication(
+    dds::DomainParticipant*, eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) {
+  using Info = eprosima::fastrtps::rtps::ParticipantAuthenticationInfo;
+  if (info.status == Info::UNAUTHORIZED_PARTICIPANT)
+    node_.refuse_peer(wire::Fault::kIdentity, "a participant");
+}
+
 void DiscoveryWatch::on_publisher_discovery(dds::DomainParticipant*,
                                             eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) {
   using Info = eprosima::fastrtps::rtps::WriterDiscoveryInfo;

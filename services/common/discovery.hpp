@@ -32,6 +32,9 @@ class DiscoveryWatch : public dds::DomainParticipantListener {
 
   void on_participant_discovery(dds::DomainParticipant*,
                                 eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+  void onParticipantAuthentication(
+      dds::DomainParticipant*,
+      eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
   void on_publisher_discovery(dds::DomainParticipant*,
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
   void on_subscriber_discovery(dds::DomainParticipant*,

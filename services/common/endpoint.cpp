@@ -102,26 +102,47 @@ bool WriterCore::write(const void* sample) {
 }
 
 ReaderCore::ReaderCore(Node& node, const TopicInfo& info, const TypeOps& ops)
-    : dds(std::make_unique<Dds>(node, stats)) {
+    : dds(std::make_unique<Dds>(node, stats)), node_(node), info_(info), ops_(ops) {
   stats.topic = topic_name(info, node.options().names);
   stats.profile = info.profile;
-  auto& of_node = node.dds();
+  dds->any_writer = info.any_writer;
+  make_reader(false);
+}
+
+void ReaderCore::make_reader(bool best_effort) {
+  auto& of_node = node_.dds();
   dds::DataReaderQos qos;
-  if (of_node.subscriber->get_datareader_qos_from_profile(info.profile, qos) !=
+  if (of_node.subscriber->get_datareader_qos_from_profile(info_.profile, qos) !=
       ReturnCode_t::RETCODE_OK)
-    no_profile(info);
+    no_profile(info_);
+  if (best_effort) qos.reliability().kind = dds::BEST_EFFORT_RELIABILITY_QOS;
   const auto mask = dds::StatusMask::subscription_matched()
                     << dds::StatusMask::requested_incompatible_qos()
                     << dds::StatusMask::sample_lost();
   dds->reader =
-      of_node.subscriber->create_datareader(of_node.topic(stats.topic, ops), qos, dds.get(), mask);
+      of_node.subscriber->create_datareader(of_node.topic(stats.topic, ops_), qos, dds.get(), mask);
   if (!dds->reader) refused(stats);
   dds->reader->get_statuscondition().set_enabled_statuses(dds::StatusMask::data_available());
+}
+
+bool ReaderCore::wants_best_effort() const {
+  return dds->wants_best_effort;
+}
+
+void ReaderCore::hear_best_effort() {
+  dds->wants_best_effort = dds->any_writer = false;
+  dds->reader->set_listener(nullptr);
+  node_.dds().subscriber->delete_datareader(dds->reader);
+  stats.peers = 0;
+  stats.incompatible_qos = 0;
+  make_reader(true);
+  node_.announce();
 }
 
 ReaderCore::~ReaderCore() = default;
 
 bool ReaderCore::take(void* sample) {
+  if (!waited_for && wants_best_effort()) hear_best_effort();
   while (true) {
     const std::uint64_t malformed_before = malformed_samples();
     dds::SampleInfo info;
@@ -175,6 +196,10 @@ void ReaderCore::Dds::on_subscription_matched(dds::DataReader*,
 
 void ReaderCore::Dds::on_requested_incompatible_qos(dds::DataReader*,
                                                     const dds::RequestedIncompatibleQosStatus& s) {
+  if (any_writer && s.last_policy_id == dds::RELIABILITY_QOS_POLICY_ID) {
+    wants_best_effort = true;
+    return;
+  }
   node.report("a writer of " + stats.topic + " offers less " + policy_name(s.last_policy_id) +
               " than profile '" + stats.profile + "' asks for; nothing is received from it");
   stats.incompatible_qos = s.total_count;

@@ -52,6 +52,9 @@ class WriterCore {
   std::unique_ptr<Dds> dds;
 };
 
+/// Of a topic that drivers write (TopicInfo::any_writer) a reader is reliable, as lost pieces of
+/// big images are asked for again, until a best-effort writer offers it less: from then on it is
+/// best effort itself, and hears both kinds.
 class ReaderCore {
  public:
   struct Dds;
@@ -68,14 +71,23 @@ class ReaderCore {
     pin_silence_s_ = silence_s;
     refuses_others_ = false;
   }
+  /// Whether a best-effort writer waits to be heard. Then hear_best_effort() makes another reader:
+  /// whoever waits for the old one must let go of it first.
+  bool wants_best_effort() const;
+  void hear_best_effort();
 
   EndpointStats stats;
   std::unique_ptr<Dds> dds;
+  bool waited_for = false;  // by a loop, which then changes the reader
 
  private:
+  void make_reader(bool best_effort);
   using WriterId = std::array<std::uint8_t, 16>;
   bool is_of_the_pinned_writer(const WriterId& from);
 
+  Node& node_;
+  TopicInfo info_;
+  TypeOps ops_;
   double pin_silence_s_ = -1.0;  // < 0: any writer is heard
   bool refuses_others_ = true;
   WriterId pinned_{};

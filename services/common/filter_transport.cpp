@@ -105,7 +105,12 @@ struct Filtered : Transport {
   };
 };
 
+// So many participants of one machine are found where only its address is named; the library's own
+// number is 4.
+constexpr std::uint32_t kPeersOfAMachine = 32;
+
 void use_interfaces(rtps::SocketTransportDescriptor& transport, const Entrance& entrance) {
+  transport.maxInitialPeersRange = kPeersOfAMachine;
   if (!entrance.interfaces.empty()) transport.interfaceWhiteList = entrance.interfaces;
 }
 void use_interfaces(rtps::SharedMemTransportDescriptor&, const Entrance&) {}

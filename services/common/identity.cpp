@@ -2,47 +2,26 @@
 #include "services/common/identity.hpp"
 
 #include <fmt/format.h>
-#include <openssl/pem.h>
-#include <openssl/pkcs7.h>
+#include <fmt/ranges.h>
 #include <openssl/x509_vfy.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <stdexcept>
+
+#include "services/common/pem.hpp"
+#include "services/common/roles.hpp"
 
 namespace foretrack {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace identity_file;
 
-constexpr const char* kAuthority = "identity_ca.cert.pem";
-constexpr const char* kCertificate = "cert.pem";
-constexpr const char* kKey = "key.pem";
-constexpr const char* kPermissionsAuthority = "permissions_ca.cert.pem";
-constexpr const char* kGovernance = "governance.p7s";
-constexpr const char* kPermissions = "permissions.p7s";
 constexpr const char* kFiles[] = {kAuthority,  kCertificate, kKey, kPermissionsAuthority,
                                   kGovernance, kPermissions};
-
-using Certificate = std::unique_ptr<X509, decltype(&X509_free)>;
-using Key = std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)>;
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-File open_file(const fs::path& path) {
-  return {std::fopen(path.c_str(), "r"), std::fclose};
-}
-
-Certificate read_certificate(const fs::path& path) {
-  const File file = open_file(path);
-  return {file ? PEM_read_X509(file.get(), nullptr, nullptr, nullptr) : nullptr, X509_free};
-}
-
-Key read_key(const fs::path& path) {
-  const File file = open_file(path);
-  return {file ? PEM_read_PrivateKey(file.get(), nullptr, nullptr, nullptr) : nullptr,
-          EVP_PKEY_free};
-}
+constexpr double kSoon_days = 30.0;
 
 std::string missing_file(const fs::path& folder) {
   std::error_code error;
@@ -57,45 +36,57 @@ std::string missing_file(const fs::path& folder) {
 }
 
 std::string fault_of_dates(const X509& certificate, const fs::path& path) {
-  if (X509_cmp_current_time(X509_get0_notBefore(&certificate)) > 0)
+  if (!has_begun(certificate))
     return fmt::format("{} is not valid yet: is the clock right?", path.string());
-  if (X509_cmp_current_time(X509_get0_notAfter(&certificate)) < 0)
-    return fmt::format("{} is no longer valid", path.string());
+  if (days_left(certificate) < 0.0) return fmt::format("{} is no longer valid", path.string());
   return "";
 }
 
-using Input = std::unique_ptr<BIO, decltype(&BIO_free)>;
-
-std::string text_in(BIO& memory) {
-  char* text = nullptr;
-  const long size = BIO_get_mem_data(&memory, &text);
-  return {text, static_cast<std::size_t>(size)};
+// What systemd hands over may be read by its group, which is root.
+std::string fault_of_key_file(const fs::path& path) {
+  struct stat about {};
+  if (stat(path.c_str(), &about) != 0 || (about.st_mode & S_IRWXO) == 0) return "";
+  return fmt::format(
+      "{} can be read by everybody: chmod 600 it, and if others had the chance, "
+      "revoke it",
+      path.string());
 }
 
-// What the document says, if the authority signed it; else nothing.
-std::string signed_text(const fs::path& path, X509& authority) {
-  const Input file(BIO_new_file(path.c_str(), "r"), BIO_free);
-  BIO* content = nullptr;
-  const std::unique_ptr<PKCS7, decltype(&PKCS7_free)> document(
-      file ? SMIME_read_PKCS7(file.get(), &content) : nullptr, PKCS7_free);
-  const Input detached(content, BIO_free), out(BIO_new(BIO_s_mem()), BIO_free);
-  const std::unique_ptr<X509_STORE, decltype(&X509_STORE_free)> store(X509_STORE_new(),
-                                                                      X509_STORE_free);
-  X509_STORE_add_cert(store.get(), &authority);
-  if (!document || PKCS7_verify(document.get(), nullptr, store.get(), detached.get(), out.get(),
-                                PKCS7_TEXT) != 1)
-    return "";
-  return text_in(*out);
+std::string fault_of_own(const fs::path& folder, X509& own, X509& authority) {
+  const fs::path path = folder / kCertificate;
+  if (auto dates = fault_of_dates(own, path); !dates.empty()) return dates;
+  if (auto dates = fault_of_dates(authority, folder / kAuthority); !dates.empty()) return dates;
+  if (X509_verify(&own, X509_get0_pubkey(&authority)) != 1)
+    return fmt::format("{} was not issued by {}", path.string(), kAuthority);
+  if (is_revoked(read_revocations(folder / kRevocations), own))
+    return fmt::format("{} was revoked, says {}", path.string(), kRevocations);
+  return "";
 }
 
-// As permissions name it: CN=name,O=owner.
-std::string subject_of(const X509& certificate) {
-  const Input out(BIO_new(BIO_s_mem()), BIO_free);
-  X509_NAME_print_ex(out.get(), X509_get_subject_name(&certificate), 0, XN_FLAG_RFC2253);
-  return text_in(*out);
+std::vector<std::string> identities_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code none_there;
+  for (const auto& entry : fs::directory_iterator(folder, none_there))
+    if (fs::exists(entry.path() / kCertificate)) names.push_back(entry.path().filename());
+  return names;
 }
 
 }  // namespace
+
+std::string identity_folder(const std::string& folder_name, std::string_view service) {
+  const fs::path folder = folder_name;
+  if (fs::exists(folder / kCertificate)) return folder_name;
+  const auto there = identities_in(folder);
+  if (there.empty()) return folder_name;  // fault_of_identity() says what is missing
+  std::vector<std::string> wanted;
+  for (const Role role : roles_of_service(service)) {
+    wanted.emplace_back(name_of(role));
+    if (fs::exists(folder / wanted.back() / kCertificate)) return folder / wanted.back();
+  }
+  throw std::invalid_argument(fmt::format("--security: {} has no identity of {}, only {}",
+                                          folder_name, fmt::join(wanted, " or "),
+                                          fmt::join(there, ", ")));
+}
 
 std::string refusal_of_identity(const std::string& folder_name) {
   const fs::path folder = folder_name;
@@ -121,13 +112,27 @@ std::string fault_of_identity(const std::string& folder_name) {
   if (!own) return fmt::format("{} is no certificate", (folder / kCertificate).string());
   const Key key = read_key(folder / kKey);
   if (!key) return fmt::format("{} is no private key without a password", (folder / kKey).string());
-  if (auto dates = fault_of_dates(*own, folder / kCertificate); !dates.empty()) return dates;
-  if (auto dates = fault_of_dates(*authority, folder / kAuthority); !dates.empty()) return dates;
   if (X509_check_private_key(own.get(), key.get()) != 1)
     return fmt::format("{} is not the key of {}", (folder / kKey).string(), kCertificate);
-  if (X509_verify(own.get(), X509_get0_pubkey(authority.get())) != 1)
-    return fmt::format("{} was not issued by {}", (folder / kCertificate).string(), kAuthority);
-  return "";
+  if (auto open = fault_of_key_file(folder / kKey); !open.empty()) return open;
+  return fault_of_own(folder, *own, *authority);
+}
+
+std::string soon_over(const std::string& folder) {
+  if (folder.empty()) return "";
+  const fs::path path = fs::path(folder) / kCertificate;
+  const Certificate own = read_certificate(path);
+  if (!own || days_left(*own) > kSoon_days) return "";
+  return fmt::format("{} ends in {:.0f} days; what is started after that stays out of the bus",
+                     path.string(), days_left(*own));
+}
+
+bool demands_identity(const std::string& folder_name) {
+  const fs::path folder = folder_name;
+  const Certificate authority = read_certificate(folder / kPermissionsAuthority);
+  return authority &&
+         signed_text(folder / kGovernance, *authority)
+                 .find("<allow_unauthenticated_participants>false") != std::string::npos;
 }
 
 std::vector<std::pair<std::string, std::string>> identity_properties(const std::string& folder) {
@@ -136,15 +141,19 @@ std::vector<std::pair<std::string, std::string>> identity_properties(const std::
   };
   const std::string identity = "dds.sec.auth.builtin.PKI-DH.";
   const std::string access = "dds.sec.access.builtin.Access-Permissions.";
-  return {{"dds.sec.auth.plugin", "builtin.PKI-DH"},
-          {identity + "identity_ca", file(kAuthority)},
-          {identity + "identity_certificate", file(kCertificate)},
-          {identity + "private_key", file(kKey)},
-          {"dds.sec.access.plugin", "builtin.Access-Permissions"},
-          {access + "permissions_ca", file(kPermissionsAuthority)},
-          {access + "governance", file(kGovernance)},
-          {access + "permissions", file(kPermissions)},
-          {"dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC"}};
+  std::vector<std::pair<std::string, std::string>> properties = {
+      {"dds.sec.auth.plugin", "builtin.PKI-DH"},
+      {identity + "identity_ca", file(kAuthority)},
+      {identity + "identity_certificate", file(kCertificate)},
+      {identity + "private_key", file(kKey)},
+      {"dds.sec.access.plugin", "builtin.Access-Permissions"},
+      {access + "permissions_ca", file(kPermissionsAuthority)},
+      {access + "governance", file(kGovernance)},
+      {access + "permissions", file(kPermissions)},
+      {"dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC"}};
+  if (fs::exists(fs::path(folder) / kRevocations))
+    properties.emplace_back(identity + "identity_crl", file(kRevocations));
+  return properties;
 }
 
 }  // namespace foretrack

@@ -73,17 +73,27 @@ void Loop::run() {
   dds::WaitSet wait_set;
   wait_set.attach_condition(stop_.dds().condition);
   if (auto* clock = node_.clock().reader()) wakers_.push_back(clock);
-  for (auto* reader : wakers_)
+  for (auto* reader : wakers_) {
+    reader->waited_for = true;
     wait_set.attach_condition(reader->dds->reader->get_statuscondition());
+  }
   while (!stop_.requested()) {
+    for (auto* reader : wakers_) {
+      if (!reader->wants_best_effort()) continue;
+      wait_set.detach_condition(reader->dds->reader->get_statuscondition());
+      reader->hear_best_effort();
+      wait_set.attach_condition(reader->dds->reader->get_statuscondition());
+    }
     wake_up();
     dds::ConditionSeq active;
     const double wait = wait_s();
     const auto whole = static_cast<std::int32_t>(wait);
     wait_set.wait(active, {whole, static_cast<std::uint32_t>(1e9 * (wait - whole))});
   }
-  for (auto* reader : wakers_)
+  for (auto* reader : wakers_) {
     wait_set.detach_condition(reader->dds->reader->get_statuscondition());
+    reader->waited_for = false;
+  }
   wait_set.detach_condition(stop_.dds().condition);
 }
 

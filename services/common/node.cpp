@@ -11,11 +11,11 @@
 #include <string_view>
 #include <thread>
 
-#include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
 #include "services/common/dds_log.hpp"
 #include "services/common/identity.hpp"
 #include "services/common/participant.hpp"
+#include "services/common/px4_type.hpp"
 #include "services/common/ros_graph.hpp"
 
 namespace foretrack {
@@ -53,16 +53,23 @@ Node::Node(const NodeOptions& options)
       dds_(std::make_unique<Dds>(*this)),
       wire_(std::make_shared<WireFilter>([this](const std::string& text) { report(text); })) {
   validate_or_throw(options_.names);
+  if (!options_.security.empty())
+    options_.security = identity_folder(options_.security, options_.service);
+  dds_->px4_release = options_.names.px4_release;
   auto* factory = dds::DomainParticipantFactory::get_instance();
   const auto setup = set_up_participant(options_, wire_);
   this_machine_only_ = setup.this_machine_only;
   secured_ = setup.secured;
+  if (secured_)
+    role_watch_ = std::make_unique<RoleWatch>(
+        [this](const std::string& why) { refuse_peer(wire::Fault::kRole, "a peer: " + why); });
   security_complaint();  // what somebody else was told
   dds_->participant = factory->create_participant(options_.domain_id, setup.qos, &dds_->watch,
                                                   dds::StatusMask::none());
   if (!dds_->participant) throw std::runtime_error(no_participant(options_));
   if (const char* unsecured = why_unsecured(); *unsecured)
     spdlog::warn("{}: {}", options_.service, unsecured);
+  if (const auto soon = soon_over(options_.security); !soon.empty()) report(soon);
   dds_->publisher =
       not_null(dds_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "a publisher");
   dds_->subscriber =
@@ -78,12 +85,14 @@ const char* Node::why_unsecured() const {
 }
 
 Node::~Node() {
+  role_watch_.reset();
   run_bounded(kCleanupLimit_s, [this] { take_down(*dds_); });
 }
 
 dds::Topic* Node::Dds::topic(const std::string& name, const TypeOps& ops) {
   if (const auto it = topics.find(name); it != topics.end()) return it->second;
-  dds::TypeSupport type(new CdrType(ops));
+  dds::TypeSupport type(Px4Type::is_needed(ops, px4_release) ? new Px4Type(ops, px4_release)
+                                                             : new CdrType(ops));
   if (type.register_type(participant) != ReturnCode_t::RETCODE_OK)
     throw std::runtime_error(std::string("DDS refuses type ") + ops.name);
   auto* topic = participant->create_topic(name, ops.name, dds::TOPIC_QOS_DEFAULT);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "services/common/clock.hpp"
+#include "services/common/dds_log.hpp"
 #include "services/common/endpoint.hpp"
 #include "services/common/names.hpp"
 #include "services/common/peer.hpp"
@@ -40,8 +41,16 @@ struct NodeOptions {
   /// The network interface's name, an address of it, or "any"; empty: the loopback one, unless the
   /// profile names others (its transports' interfaceWhiteList).
   std::string interface;
-  /// Folder of an identity of DDS-Security, as SROS2 lays it out; empty: what the profile says.
+  /// Folder of an identity of DDS-Security, as SROS2 lays it out, or of several, from which that of
+  /// the service's role is taken; empty: what the profile says.
   std::string security;
+  /// "HOST" or "HOST:PORT", where others are looked for besides by multicast.
+  std::vector<std::string> peers;
+  /// Of Fast DDS, "HOST:PORT", or several with a ; between them: all are met there, none by
+  /// multicast.
+  std::string discovery_server;
+  /// To be such a server itself, on this UDP port; 0: not.
+  int serve_discovery_port = 0;
 };
 
 /// Not thread-safe but for report(): one service, one thread. Writers and readers are its own, and
@@ -75,6 +84,8 @@ class Node {
   std::uint64_t discoveries() const;
   /// Messages that were not read as they should be, and how many were.
   const WireFilter& wire() const { return *wire_; }
+  /// Counts and reports whom DDS-Security refused, as `wire()` does messages. From any thread.
+  void refuse_peer(wire::Fault fault, const std::string& who) { wire_->refuse(fault, who); }
   /// Which interfaces DDS uses. This machine's own: nobody else is heard.
   bool this_machine_only() const { return this_machine_only_; }
   /// By DDS-Security, as the profile has it.
@@ -94,6 +105,7 @@ class Node {
   NodeOptions options_;
   std::unique_ptr<Dds> dds_;
   std::shared_ptr<WireFilter> wire_;
+  std::unique_ptr<RoleWatch> role_watch_;  // where the bus is secured
   bool this_machine_only_ = false, secured_ = false;
   std::vector<std::unique_ptr<WriterCore>> writers_;
   std::vector<std::unique_ptr<ReaderCore>> readers_;

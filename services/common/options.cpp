@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/common/options.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -8,6 +9,7 @@
 #include <cstdlib>
 
 #include "services/common/dds_log.hpp"
+#include "services/common/presets.hpp"
 
 namespace foretrack {
 namespace {
@@ -38,25 +40,69 @@ void add_network_options(CLI::App& app, std::string& interface, std::string& sec
       ->envname("FORETRACK_SECURITY");
 }
 
-void add_options(CLI::App& app, ServiceOptions& options) {
-  auto& names = options.names;
+void add_meeting_options(CLI::App& app, std::vector<std::string>& peers,
+                         std::string& discovery_server) {
+  app.add_option("--peer", peers,
+                 "HOST or HOST:PORT where others are, if multicast does not reach them; several "
+                 "with a ; between them. Uses the network that leads there")
+      ->envname("ROS_STATIC_PEERS")
+      ->expected(1)
+      ->delimiter(';')
+      ->take_all();
+  app.add_option("--discovery-server", discovery_server,
+                 "HOST:PORT of a Fast DDS discovery server, where all meet instead of by multicast")
+      ->envname("ROS_DISCOVERY_SERVER");
+}
+
+void add_names_options(CLI::App& app, Names& names) {
   app.add_option("--vehicle", names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
       ->capture_default_str();
+  app.add_option("--px4-namespace", names.px4_namespace, "px4_<n> if PX4 has a namespace");
+  app.add_option("--px4", names.px4_release, "Release of PX4, whose messages differ; default 1.16")
+      ->check(CLI::IsMember({"1.15", "1.16", "1.17", "1.18"}));
+  using Words = std::vector<std::string>;
+  app.add_option_function<Words>(
+         "--preset",
+         [&names](const Words& presets) {
+           for (const auto& preset : presets) add_preset(names, preset);
+         },
+         "Topics of a usual driver: " + preset_names())
+      ->allow_extra_args(false);
+  app.add_option_function<Words>(
+         "--remap",
+         [&names](const Words& remaps) {
+           for (const auto& remap : remaps) add_remap(names, remap);
+         },
+         "NAME:=TOPIC: another topic in a topic's place, as odometry:=mavros/local_position/odom")
+      ->allow_extra_args(false);
+  app.add_option("--base-frame", names.body_frame, "The body's frame in transforms and odometry")
+      ->capture_default_str();
+  app.add_flag("--odometry-is-map", names.odometry_is_map,
+               "Odometry counts as the map's, whatever frame it names");
+}
+
+void add_options(CLI::App& app, ServiceOptions& options) {
+  auto& names = options.names;
+  add_names_options(app, names);
+  app.add_option(
+         "--config", options.config_file,
+         "File of the vehicle (YAML): its keys are these options, for what is not given here")
+      ->check(CLI::ExistingFile);
   app.add_option("--domain", options.domain_id, "DDS domain")
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, kHighestDomain))
       ->capture_default_str();
   add_network_options(app, options.interface, options.security);
+  add_meeting_options(app, options.peers, options.discovery_server);
   app.add_option("--params", options.params_file, "Parameter file (YAML)")
       ->check(CLI::ExistingFile);
   app.add_flag("--print-params", options.print_params, "Print all parameters and leave");
   app.add_flag("--use-sim-time", options.use_sim_time, "Take the time from the clock topic");
   app.add_option("--clock-topic", names.clock_topic, "Clock topic")->capture_default_str();
-  app.add_option("--px4-namespace", names.px4_namespace, "px4_<n> if PX4 has a namespace");
-  app.add_option("--px4-status-version", names.px4_vehicle_status_version,
-                 "Version of vehicle_status; 0 for PX4 1.15")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
+  constexpr const char* kMount =
+      "Where it sits in the body: x y z (m) roll pitch yaw (rad) of a camera that looks along x";
+  app.add_option("--color-mount", options.color_mount, kMount)->expected(6);
+  app.add_option("--depth-mount", options.depth_mount, kMount)->expected(6);
   app.add_flag("--ros-iron", options.ros_iron_or_later,
                "Appear in the node list of ROS 2 Iron and later, not of Humble");
   app.add_flag("--px4-odometry", options.px4_odometry,
@@ -74,25 +120,29 @@ void add_options(CLI::App& app, ServiceOptions& options) {
 }
 
 std::vector<std::string> arguments_of(const ServiceOptions& o) {
-  std::vector<std::string> words = {"--vehicle",
-                                    o.names.vehicle,
-                                    "--domain",
-                                    std::to_string(o.domain_id),
-                                    "--clock-topic",
-                                    o.names.clock_topic,
-                                    "--state-dir",
-                                    o.state_folder,
-                                    "--log-level",
-                                    o.log_level,
-                                    "--px4-status-version",
-                                    std::to_string(o.names.px4_vehicle_status_version)};
+  std::vector<std::string> words = {
+      "--vehicle",     o.names.vehicle,     "--domain",     std::to_string(o.domain_id),
+      "--clock-topic", o.names.clock_topic, "--state-dir",  o.state_folder,
+      "--log-level",   o.log_level,         "--base-frame", o.names.body_frame};
   const auto add = [&words](bool wanted, std::vector<std::string> more) {
     if (wanted) words.insert(words.end(), more.begin(), more.end());
   };
   add(!o.interface.empty(), {"--interface", o.interface});
   add(!o.security.empty(), {"--security", o.security});
+  for (const auto& peer : o.peers) add(true, {"--peer", peer});
+  add(!o.discovery_server.empty(), {"--discovery-server", o.discovery_server});
   add(!o.params_file.empty(), {"--params", o.params_file});
   add(!o.names.px4_namespace.empty(), {"--px4-namespace", o.names.px4_namespace});
+  add(!o.names.px4_release.empty(), {"--px4", o.names.px4_release});
+  for (const auto& [name, topic] : o.names.remaps) add(true, {"--remap", name + ":=" + topic});
+  add(o.names.odometry_is_map, {"--odometry-is-map"});
+  const auto add_mount = [&words](const char* option, const std::vector<double>& mount) {
+    if (mount.empty()) return;
+    words.emplace_back(option);
+    for (const double value : mount) words.push_back(fmt::format("{}", value));
+  };
+  add_mount("--color-mount", o.color_mount);
+  add_mount("--depth-mount", o.depth_mount);
   add(o.use_sim_time, {"--use-sim-time"});
   add(o.ros_iron_or_later, {"--ros-iron"});
   add(o.px4_odometry, {"--px4-odometry"});

@@ -15,29 +15,44 @@ namespace foretrack {
 
 struct ServiceOptions {
   Names names;
+  /// Where a camera sits in the body (FLU), if no transforms shall be asked: x, y, z in metres,
+  /// roll, pitch and yaw of a camera that looks along x, in radians. Empty: transforms say it.
+  std::vector<double> color_mount, depth_mount;
   int domain_id = 0;
   bool use_sim_time = false;
   std::string params_file;    // empty: defaults
   bool print_params = false;  // print the parameters as a file and leave
   bool ros_iron_or_later = false;
-  bool px4_odometry = false;  // PX4's own estimate is the vehicle's odometry
-  bool dry_run = false;       // nothing is sent to the flight controller
-  std::string interface;      // of the network; empty: see NodeOptions
-  std::string security;       // folder of the identity; empty: see NodeOptions
-  std::string state_folder;   // where the gate remembers its mission; empty: nowhere
+  bool px4_odometry = false;       // PX4's own estimate is the vehicle's odometry
+  bool dry_run = false;            // nothing is sent to the flight controller
+  std::string interface;           // of the network; empty: see NodeOptions
+  std::string security;            // folder of the identity; empty: see NodeOptions
+  std::vector<std::string> peers;  // see NodeOptions
+  std::string discovery_server;    // see NodeOptions
+  std::string state_folder;        // where the gate remembers its mission; empty: nowhere
+  std::string config_file;  // of the vehicle, for what the command line does not say; may be empty
   std::string log_level = "info";
 };
 
-/// --vehicle --domain --interface --security --params --print-params --use-sim-time --clock-topic
-/// --px4-namespace
-/// --px4-status-version --ros-iron --px4-odometry --dry-run --state-dir
-/// --log-level. The domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as
-/// systemd sets it), $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
+/// Those of add_names_options, and --config --domain --interface --security --peer
+/// --discovery-server --params --print-params --use-sim-time --clock-topic --color-mount
+/// --depth-mount --ros-iron --px4-odometry --dry-run --state-dir --log-level. The domain's default
+/// is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
+/// $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
+
+/// --vehicle --px4-namespace --px4 --preset --remap --base-frame --odometry-is-map: what things are
+/// called. A wrong one throws std::invalid_argument while the words are parsed.
+void add_names_options(CLI::App& app, Names& names);
 
 /// --interface (default $FORETRACK_INTERFACE) and --security (default $FORETRACK_SECURITY): which
 /// network interface DDS uses, and as whom.
 void add_network_options(CLI::App& app, std::string& interface, std::string& security);
+
+/// --peer (default $ROS_STATIC_PEERS) and --discovery-server (default $ROS_DISCOVERY_SERVER): how
+/// others are found where multicast does not pass.
+void add_meeting_options(CLI::App& app, std::vector<std::string>& peers,
+                         std::string& discovery_server);
 
 /// The words that make the same options of another process.
 std::vector<std::string> arguments_of(const ServiceOptions& options);

@@ -35,7 +35,7 @@ void write_info(Node& node) {
     dds::DataWriterQos qos;
     of_node.publisher->get_datawriter_qos_from_profile("latched", qos);
     of_node.ros_discovery =
-        of_node.publisher->create_datawriter(of_node.topic("ros_discovery_info", ops), qos);
+        of_node.publisher->create_datawriter(of_node.topic(kRosGraphTopic, ops), qos);
   }
   Info info;
   info.gid(gid_of<Gid>(of_node.participant->guid()));

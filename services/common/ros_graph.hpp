@@ -6,6 +6,9 @@ namespace foretrack {
 
 class Node;
 
+/// Which every node writes and reads.
+inline constexpr char kRosGraphTopic[] = "ros_discovery_info";
+
 /// Writes the node's endpoints to ros_discovery_info, in the layout of the distribution that the
 /// node's options name.
 void announce_to_ros(Node& node);

@@ -11,14 +11,21 @@ constexpr double kHealthPeriod_s = 1.0;
 NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
   const auto ros =
       options.ros_iron_or_later ? RosDistribution::kIronOrLater : RosDistribution::kHumble;
-  return {name, options.names,     options.domain_id, options.use_sim_time,
-          ros,  options.interface, options.security};
+  return {name,
+          options.names,
+          options.domain_id,
+          options.use_sim_time,
+          ros,
+          options.interface,
+          options.security,
+          options.peers,
+          options.discovery_server};
 }
 
 }  // namespace
 
 Service::Service(const std::string& name, const ServiceOptions& options, Stop& stop)
-    : node_(node_options(name, options)), loop_(node_, stop), health_(node_) {
+    : options_(options), node_(node_options(name, options)), loop_(node_, stop), health_(node_) {
   loop_.every_wall(kHealthPeriod_s, [this] { health_.publish(loop_.take_stats(), false); });
 }
 

@@ -20,6 +20,7 @@ class Service {
   /// Throws as Node does.
   Service(const std::string& name, const ServiceOptions& options, Stop& stop);
 
+  const ServiceOptions& options() const { return options_; }
   Node& node() { return node_; }
   Clock& clock() { return node_.clock(); }
   Loop& loop() { return loop_; }
@@ -29,6 +30,7 @@ class Service {
   void run();
 
  private:
+  ServiceOptions options_;
   Node node_;
   Loop loop_;
   Health health_;

@@ -26,6 +26,7 @@ std::span<const std::uint8_t> blanked(std::span<const std::uint8_t> message,
 WireFilter::Verdict WireFilter::judge(std::span<const std::uint8_t> message) {
   const wire::Checked checked = wire::check_message(message);
   if (checked.fault != wire::Fault::kNone) return {checked.fault, {}};
+  if (demands_identity_ && checked.of_stranger) return {wire::Fault::kStranger, {}};
   ++accepted_;
   const auto kept = message.first(checked.size);
   return {wire::Fault::kNone, checked.blank_count == 0 ? kept : blanked(kept, checked)};
@@ -37,8 +38,7 @@ void WireFilter::refuse(wire::Fault fault, const std::string& from) {
   const double now_s = steady_s();
   if (now_s < next_report_s_) return;
   next_report_s_ = now_s + kReportPeriod_s;
-  report_(fmt::format("a message from {} is refused: {}; {} so far", from, wire::word(fault),
-                      refused()));
+  report_(fmt::format("refused of {}: {}; {} so far", from, wire::word(fault), refused()));
 }
 
 std::uint64_t WireFilter::refused() const {

@@ -25,13 +25,16 @@ class WireFilter {
   explicit WireFilter(std::function<void(const std::string&)> report)
       : report_(std::move(report)) {}
 
+  /// From now on, who shows no identity is refused.
+  void demand_identity() { demands_identity_ = true; }
+
   struct Verdict {
     wire::Fault fault = wire::Fault::kNone;
     /// What the library may read; lives until the thread's next call.
     std::span<const std::uint8_t> message;
   };
   Verdict judge(std::span<const std::uint8_t> message);
-  /// Counts what was judged so, and who sent it.
+  /// Counts what was judged so, here or by DDS-Security, and who sent it.
   void refuse(wire::Fault fault, const std::string& from);
   /// From another machine, where only this one is to be heard.
   void refuse_outsider() { ++outsiders_; }
@@ -44,6 +47,7 @@ class WireFilter {
 
  private:
   std::function<void(const std::string&)> report_;
+  std::atomic<bool> demands_identity_ = false;
   std::atomic<std::uint64_t> accepted_ = 0, outsiders_ = 0;
   std::array<std::atomic<std::uint64_t>, wire::kFaults> refused_{};
   std::mutex report_mutex_;

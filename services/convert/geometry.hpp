@@ -35,9 +35,9 @@ inline double seconds(const builtin_interfaces::msg::Time& time) {
 }
 
 inline void set_header(std_msgs::msg::Header& header, double stamp_s,
-                       const char* frame = kWorldFrame) {
+                       std::string_view frame = kWorldFrame) {
   header.stamp(to_time(stamp_s));
-  header.frame_id(frame);
+  header.frame_id(std::string(frame));
 }
 /// The stamp and the frame.
 inline void check_header(Checks& checks, const std_msgs::msg::Header& header,

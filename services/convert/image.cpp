@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/convert/image.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstring>
 
@@ -12,8 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 constexpr char kFloatMetres[] = "32FC1";
 constexpr char kMillimetres[] = "16UC1";
-constexpr std::uint32_t kMaxSide_px = 16384;
-constexpr double kFocal_px = 1e5;
+constexpr char kMillimetresToo[] = "mono16";
 
 // Rows may be padded.
 template <class Pixel, class Convert>
@@ -30,6 +31,10 @@ void read_rows(const sensor_msgs::msg::Image& in, std::vector<float>& out, Conve
   }
 }
 
+std::string quoted(const std::string& encoding) {
+  return fmt::format("'{:.32}'", encoding);
+}
+
 // Negative and infinitely near are no depths; 0 is "no return". +inf means free to the range.
 float valid_depth(float depth_m) {
   return depth_m >= 0.0f ? depth_m : 0.0f;
@@ -37,41 +42,9 @@ float valid_depth(float depth_m) {
 
 }  // namespace
 
-void to_idl(const CameraModel& in, double stamp_s, sensor_msgs::msg::CameraInfo& out) {
-  set_header(out.header(), stamp_s, kCameraFrame);
-  out.width(in.width_px);
-  out.height(in.height_px);
-  out.distortion_model("plumb_bob");
-  out.d().assign(5, 0.0);
-  out.k({in.fx_px, 0, in.cx_px, 0, in.fy_px, in.cy_px, 0, 0, 1});
-  out.r({1, 0, 0, 0, 1, 0, 0, 0, 1});
-  out.p({in.fx_px, 0, in.cx_px, 0, 0, in.fy_px, in.cy_px, 0, 0, 0, 1, 0});
-}
-
-Converted<CameraModel> from_idl(const sensor_msgs::msg::CameraInfo& in, const Pose& T_body_camera) {
-  Checks checks;
-  checks.stamp("header.stamp", in.header().stamp());
-  checks.in_range("width", in.width(), 1, kMaxSide_px);
-  checks.in_range("height", in.height(), 1, kMaxSide_px);
-  checks.positive("k[0]", in.k()[0], kFocal_px);
-  checks.positive("k[4]", in.k()[4], kFocal_px);
-  checks.within("k[2]", in.k()[2], kFocal_px);
-  checks.within("k[5]", in.k()[5], kFocal_px);
-  for (const double d : in.d()) checks.within("d", d, 0.0);
-  CameraModel out;
-  if (!checks.ok()) return checks.result(out);
-  out.width_px = static_cast<int>(in.width());
-  out.height_px = static_cast<int>(in.height());
-  out.fx_px = in.k()[0];
-  out.fy_px = in.k()[4];
-  out.cx_px = in.k()[2];
-  out.cy_px = in.k()[5];
-  out.T_body_camera = T_body_camera;
-  return checks.result(out);
-}
-
-void to_idl(const RgbImage& in, double stamp_s, sensor_msgs::msg::Image& out) {
-  set_header(out.header(), stamp_s, kCameraFrame);
+void to_idl(const RgbImage& in, double stamp_s, sensor_msgs::msg::Image& out,
+            std::string_view frame) {
+  set_header(out.header(), stamp_s, frame);
   out.width(static_cast<std::uint32_t>(in.width_px));
   out.height(static_cast<std::uint32_t>(in.height_px));
   out.encoding("rgb8");
@@ -80,8 +53,8 @@ void to_idl(const RgbImage& in, double stamp_s, sensor_msgs::msg::Image& out) {
   out.data() = in.rgb;
 }
 
-void to_idl(const DepthImage& in, sensor_msgs::msg::Image& out) {
-  set_header(out.header(), in.stamp_s, kCameraFrame);
+void to_idl(const DepthImage& in, sensor_msgs::msg::Image& out, std::string_view frame) {
+  set_header(out.header(), in.stamp_s, frame);
   out.width(in.camera.width_px);
   out.height(in.camera.height_px);
   out.encoding(kFloatMetres);
@@ -96,9 +69,10 @@ Converted<DepthImage> from_idl(const sensor_msgs::msg::Image& in, const CameraMo
   Checks checks;
   const bool metres = in.encoding() == kFloatMetres;
   checks.stamp("header.stamp", in.header().stamp());
-  if (!metres && in.encoding() != kMillimetres)
-    checks.fail("encoding", in.encoding().substr(0, 32), "32FC1 or 16UC1");
-  if (in.is_bigendian()) checks.fail("is_bigendian", "true", "false");
+  if (!metres && in.encoding() != kMillimetres && in.encoding() != kMillimetresToo)
+    checks.fail("encoding", quoted(in.encoding()), "32FC1 (metres), 16UC1 or mono16 (millimetres)");
+  if (in.is_bigendian())
+    checks.fail("is_bigendian", "true", "false: the driver must write little-endian pixels");
   checks.in_range("width", in.width(), camera.width_px, camera.width_px);
   checks.in_range("height", in.height(), camera.height_px, camera.height_px);
   const double least_step = in.width() * (metres ? 4.0 : 2.0);

@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 
 #include "core/common/vehicle.hpp"
 #include "nav_msgs/msg/Odometry.h"
 #include "services/common/service.hpp"
 #include "services/convert/vehicle.hpp"
+#include "services/onboard/transform_input.hpp"
 
 namespace foretrack {
 
@@ -33,7 +35,8 @@ class DrawingPace {
   double drawn_s_ = -1e9;
 };
 
-/// The vehicle's odometry: its newest state and the history that images need.
+/// The vehicle's odometry: its newest state and the history that images need. Odometry of another
+/// frame than the map is brought there by tf, or as the options say.
 class VehicleInput {
  public:
   /// `changed` is called after each wake-up that brought samples; may be empty.
@@ -54,7 +57,10 @@ class VehicleInput {
 
  private:
   void add(const VehicleState& state);
+  OdometryFrames frames();
 
+  Service& service_;
+  std::unique_ptr<TransformInput> transforms_;  // once odometry of another frame comes
   Reader<topics::Odometry> reader_;
   VehicleHistory history_;
   VehicleState last_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "services/operator/diagnose_inputs.hpp"
 #include "services/operator/words.hpp"
 
 namespace foretrack {
@@ -28,16 +29,6 @@ struct Link {
   std::function<Finding(const FlightSnapshot&)> content;  // what the newest sample says
 };
 
-Finding fine(std::string_view stage, std::string text) {
-  return {Level::kFine, std::string(stage), std::move(text), ""};
-}
-Finding note(std::string_view stage, std::string text, std::string advice = "") {
-  return {Level::kNote, std::string(stage), std::move(text), std::move(advice)};
-}
-Finding fault(std::string_view stage, std::string text, std::string advice = "") {
-  return {Level::kFault, std::string(stage), std::move(text), std::move(advice)};
-}
-
 std::string list_of(const std::vector<std::pair<std::string, std::uint64_t>>& rejected) {
   std::string text;
   for (const auto& [reason, count] : rejected)
@@ -46,10 +37,7 @@ std::string list_of(const std::vector<std::pair<std::string, std::uint64_t>>& re
 }
 
 std::string how_to_start(std::string_view service) {
-  if (service == "simulator")
-    return "`foretrack up` starts it; on a vehicle, the flight controller's DDS agent and the "
-           "cameras write this.";
-  return fmt::format("`foretrack up` starts every service, `foretrack {}` this one alone.",
+  return fmt::format("`foretrack onboard` starts every service, `foretrack {}` this one alone.",
                      service);
 }
 
@@ -72,21 +60,7 @@ Finding silent_writer(const FlightSnapshot& p, const Link& link, const std::stri
 }
 
 Finding silent(const FlightSnapshot& p, const Link& link, const TopicFlow& flow) {
-  if (flow.incompatible_qos > 0 && flow.writers == 0)
-    return fault(link.stage,
-                 fmt::format("A writer of {} is there, but its quality of service does not fit "
-                             "ours, so DDS keeps them apart.",
-                             flow.wire),
-                 "`foretrack topics` names the policy; compare it with qos/profiles.xml.");
-  for (const auto& sentence : p.foreign)
-    if (sentence.find(flow.wire) != std::string::npos)
-      return fault(link.stage, "Foreign endpoint: " + sentence,
-                   "Both sides must use the type from idl/, without a key.");
-  if (!flow.rejected.empty())
-    return fault(
-        link.stage,
-        fmt::format("All samples of {} were rejected: {}.", flow.wire, list_of(flow.rejected)),
-        "The writer sends what the contract (idl/README.md) does not allow.");
+  if (auto finding = check_writers(p, flow, link.stage)) return *finding;
   if (!p.service(link.service))
     return fault(link.stage,
                  fmt::format("{} {}: the service {} is missing.",
@@ -184,9 +158,7 @@ Finding movement(const FlightSnapshot& p) {
 
 const std::vector<Link>& chain() {
   static const std::vector<Link> kChain = {
-      {"vehicle", "odometry", "simulator", 0.5, nullptr},
-      {"camera", "target/observation", "simulator", 1.0, nullptr},
-      {"camera", "camera/depth/image", "simulator", 1.0, nullptr},
+      {"observation", "target/observation", "perception", 1.0, nullptr},
       {"target", "target/state", "perception", 0.5, target_content},
       {"map", "map/local", "mapping", 2.0, nullptr},
       {"prediction", "target/intention", "prediction", 1.0, nullptr},
@@ -233,9 +205,9 @@ std::vector<Finding> diagnose(const FlightSnapshot& p) {
         fmt::format("No process of vehicle '{}' is heard on DDS domain {}.", p.vehicle, p.domain),
         p.other_vehicles.empty()
             ? (p.this_machine_only
-                   ? "Is `foretrack up` running, with the same --domain? Only this machine is "
+                   ? "Is `foretrack onboard` running, with the same --domain? Only this machine is "
                      "heard; --interface NAME, on both sides, hears others."
-                   : "Is `foretrack up` running, with the same --domain, on this network?")
+                   : "Is `foretrack onboard` running, with the same --domain, on this network?")
             : fmt::format("Others are there: {}. Name one with --vehicle.",
                           fmt::join(p.other_vehicles, ", ")))};
   std::vector<Finding> findings;
@@ -251,13 +223,8 @@ std::vector<Finding> diagnose(const FlightSnapshot& p) {
   for (const auto& service : p.services) check_service(service, findings);
   const auto* map = p.flow("map/local");
   const bool map_comes = map && map->samples > 0 && (p.map_is_static || map->age_s < 2.0);
-  for (const auto& link : chain()) {
-    Finding finding = check(p, link);
-    // A map from elsewhere needs no depth images.
-    if (link.topic == "camera/depth/image" && map_comes && finding.level == Level::kFault)
-      finding.level = Level::kNote;
-    findings.push_back(std::move(finding));
-  }
+  for (auto& finding : check_inputs(p, map_comes)) findings.push_back(std::move(finding));
+  for (const auto& link : chain()) findings.push_back(check(p, link));
   findings.push_back(autopilot(p));
   findings.push_back(movement(p));
   return findings;

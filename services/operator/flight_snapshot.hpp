@@ -29,6 +29,7 @@ struct TopicFlow {
   std::uint64_t samples = 0;
   std::uint64_t incompatible_qos = 0;  // writers refused for their quality of service
   std::vector<std::pair<std::string, std::uint64_t>> rejected;  // by reason
+  std::string refusal;  // the last of them in words: what, its value, and what was expected
 };
 
 /// A service's last word about itself.
@@ -59,7 +60,21 @@ struct FlightSnapshot {
   bool map_is_static = false;        // a known map, sent once
   std::vector<std::string> foreign;  // endpoints that can never match, one sentence each
 
-  std::vector<std::string> other_vehicles;  // whose topics discovery tells of
+  std::vector<std::string> other_vehicles;                     // whose topics discovery tells of
+  bool simulated = false;                                      // a simulator is heard
+  bool nobody_in_images = false;                               // the newest observation says so
+  std::vector<std::pair<std::string, std::string>> published;  // topics and types of all writers
+  std::vector<std::string_view> fitting_presets;  // whose topics are published, and not taken yet
+  std::string px4_release;                        // that is expected
+  std::string px4_spoken;                         // that the topics tell of; empty: none
+  double px4_ahead_s = 0.0;  // stamps of the flight controller against this machine's clock
+
+  /// Whether a topic is one that is looked at here, by its name on the wire.
+  bool is_ours(std::string_view wire) const {
+    for (const auto& f : flows)
+      if (f.wire == wire) return true;
+    return wire.starts_with("rt/" + vehicle + "/");
+  }
 
   const TopicFlow* flow(std::string_view topic) const {
     for (const auto& f : flows)

@@ -5,6 +5,13 @@
 
 #include <set>
 
+#include "services/common/presets.hpp"
+#include "services/common/px4_releases.hpp"
+#include "services/convert/color_image.hpp"
+#include "services/convert/compressed_image.hpp"
+#include "services/convert/px4.hpp"
+#include "services/convert/target.hpp"
+#include "services/convert/vehicle.hpp"
 #include "services/operator/topic_watch.hpp"
 
 namespace foretrack {
@@ -52,7 +59,7 @@ Listener::Listener(Node& node, bool with_images)
     : node_(node),
       odometry_(node),
       observation_(node),
-      color_info_(node),
+      px4_status_(node),
       target_(node),
       intention_(node),
       prediction_(node),
@@ -64,9 +71,19 @@ Listener::Listener(Node& node, bool with_images)
       target_truth_(node) {
   watch(odometry_.reader);
   watch(observation_);
-  if (with_images) watch(depth_.emplace(node));
+  watch(px4_status_);
+  if (with_images) {
+    Cameras& cameras = cameras_.emplace(node);
+    watch(cameras.color);
+    watch(cameras.compressed);
+    watch(cameras.color_info);
+    watch(cameras.depth);
+    watch(cameras.depth_info);
+    watch(cameras.map);
+  } else {
+    color_info_.emplace(node);
+  }
   watch(target_.reader);
-  if (with_images) watch(map_.emplace(node));
   watch(intention_.reader);
   watch(prediction_.reader);
   watch(plan_.reader);
@@ -82,10 +99,83 @@ void Listener::hear(const foretrack_msgs::msg::ServiceHealth& health) {
   heard.report.clock_ahead_s = now_s < 0.0 ? 0.0 : stamp_s - now_s;
 }
 
-void Listener::take_images() {
-  if (depth_) depth_->take_newest();
-  if (!map_) return;
-  if (const auto* map = map_->take_newest())
+template <class Topic, class Convert, class Take>
+void Listener::take_as(Reader<Topic>& reader, Convert convert, Take take) {
+  reader.take_each_as(
+      [&](auto&& message) {
+        auto value = convert(message);
+        if (!value) refusals_[reader.stats().topic] = value.fault().text;
+        return value;
+      },
+      take);
+}
+
+// As the services do, so that what they refuse is not taken for good.
+void Listener::take_inputs() {
+  const Names& names = node_.options().names;
+  // Where the map's frame is, only the services know: whatever frame it names may be transformed.
+  const OdometryFrames frames{names.body_frame, true};
+  odometry_.reader.take_each_as(
+      [&](nav_msgs::msg::Odometry&& message) {
+        auto value = from_idl(message, frames);
+        if (value) {
+          odometry_.sample = std::move(message);
+          odometry_.any = true;
+        } else {
+          refusals_[odometry_.reader.stats().topic] = value.fault().text;
+        }
+        return value;
+      },
+      [](const VehicleState&) {});
+  take_as(
+      observation_,
+      [this](const foretrack_msgs::msg::TargetObservation& message) -> Converted<bool> {
+        nobody_in_images_ = sees_nobody(message);
+        if (nobody_in_images_) return true;
+        const auto value = from_idl(message);
+        if (!value) return value.fault();
+        return true;
+      },
+      [](bool) {});
+  take_as(
+      px4_status_, [](const px4_msgs::msg::VehicleStatus& message) { return from_idl(message); },
+      [this](const AutopilotStatus& status) {
+        const double now_s = simulated_s_ >= 0.0 ? simulated_s_ : node_.clock().now_s();
+        px4_ahead_s_ = status.stamp_s - now_s;
+      });
+}
+
+void Listener::take_images(Cameras& c) {
+  const auto camera = [](const sensor_msgs::msg::CameraInfo& message) { return from_idl(message); };
+  take_as(
+      c.color_info,
+      [&](const sensor_msgs::msg::CameraInfo& message) {
+        if (hooks.color_image) hooks.color_image(to_seconds(message.header().stamp()));
+        return camera(message);
+      },
+      [&](const CameraWithLens& info) { c.color_camera = info; });
+  take_as(c.depth_info, camera, [&](const CameraWithLens& info) { c.depth_camera = info; });
+  // Before its camera_info comes, an image is of no use, and no fault of its own.
+  if (c.color_camera) {
+    const auto pixels = [&](const auto& message) {
+      return rgb_from_idl(message, c.color_camera->camera);
+    };
+    take_as(c.color, pixels, [](const RgbImage&) {});
+    take_as(c.compressed, pixels, [](const RgbImage&) {});
+  } else {
+    c.color.take_newest();
+    c.compressed.take_newest();
+  }
+  if (c.depth_camera)
+    take_as(
+        c.depth,
+        [&](const sensor_msgs::msg::Image& message) {
+          return from_idl(message, c.depth_camera->camera);
+        },
+        [](const DepthImage&) {});
+  else
+    c.depth.take_newest();
+  if (const auto* map = c.map.take_newest())
     map_is_static_ = to_seconds(map->header().stamp()) == 0.0;
 }
 
@@ -93,12 +183,12 @@ void Listener::update() {
   if (const auto* clock = simulated_clock_.take_newest()) simulated_s_ = to_seconds(clock->clock());
   vehicle_truth_.take(hooks.vehicle_truth);
   target_truth_.take(hooks.target_truth);
-  odometry_.take(std::function<void(const nav_msgs::msg::Odometry&)>());
-  observation_.take_newest();
-  color_info_.take_each([this](const auto& info) {
-    if (hooks.color_image) hooks.color_image(to_seconds(info.header().stamp()));
-  });
-  take_images();
+  take_inputs();
+  if (color_info_)
+    color_info_->take_each([this](const auto& info) {
+      if (hooks.color_image) hooks.color_image(to_seconds(info.header().stamp()));
+    });
+  if (cameras_) take_images(*cameras_);
   target_.take(hooks.target);
   intention_.take(hooks.intention);
   prediction_.take(hooks.prediction);
@@ -109,6 +199,28 @@ void Listener::update() {
   if (simulated_s_ >= 0.0)
     time_rate_ = 1e-3 * simulated_ms_.update(static_cast<std::uint64_t>(1e3 * simulated_s_), now_s);
   for (auto& slot : slots_) slot.rate_hz = slot.meter.update(slot.stats->samples, now_s);
+}
+
+void Listener::fill_inputs(FlightSnapshot& p) const {
+  const Names& names = node_.options().names;
+  std::vector<std::string> topics;
+  for (const auto& endpoint : node_.endpoints()) {
+    if (!endpoint.writes) continue;
+    p.published.emplace_back(endpoint.topic, endpoint.type);
+    topics.push_back(endpoint.topic);
+  }
+  p.simulated = services_.contains("simulator");
+  p.nobody_in_images = nobody_in_images_;
+  p.px4_release = names.px4_release.empty() ? kPx4ReleaseOfIdl : names.px4_release;
+  p.px4_spoken = px4_release_of(topics, names.px4_namespace);
+  p.px4_ahead_s = px4_ahead_s_;
+  for (const auto preset : presets_that_fit(topics)) {
+    Names with = names;
+    add_preset(with, preset);
+    if (with.remaps != names.remaps) p.fitting_presets.push_back(preset);
+  }
+  for (auto& flow : p.flows)
+    if (const auto it = refusals_.find(flow.wire); it != refusals_.end()) flow.refusal = it->second;
 }
 
 FlightSnapshot Listener::snapshot() {
@@ -135,6 +247,7 @@ FlightSnapshot Listener::snapshot() {
   }
   for (const auto& slot : slots_) p.flows.push_back(flow_of(slot.topic, *slot.stats, slot.rate_hz));
   p.other_vehicles = other_vehicles(node_.endpoints(), p.vehicle);
+  fill_inputs(p);
   for (const auto& endpoint : node_.foreign_endpoints()) p.foreign.push_back(sentence_of(endpoint));
   return p;
 }

@@ -10,13 +10,16 @@
 
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
+#include "px4_msgs/msg/VehicleStatus.h"
 #include "rosgraph_msgs/msg/Clock.h"
 #include "sensor_msgs/msg/CameraInfo.h"
+#include "sensor_msgs/msg/CompressedImage.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/common/node.hpp"
 #include "services/common/rate.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
+#include "services/convert/depth_reader.hpp"
 #include "services/operator/flight_snapshot.hpp"
 
 namespace foretrack {
@@ -34,7 +37,7 @@ struct Hooks {
 
 class Listener {
  public:
-  /// with_images: also the depth images and the local map, which are large.
+  /// with_images: also the images and the local map, which are large.
   Listener(Node& node, bool with_images);
 
   /// Takes all that came. Call it twenty times a second: readers keep few samples.
@@ -49,6 +52,24 @@ class Listener {
     const EndpointStats* stats;
     RateMeter meter;
     double rate_hz = 0.0;
+  };
+  /// Cameras as the services read them: what they refuse does not count as coming.
+  struct Cameras {
+    explicit Cameras(Node& node)
+        : color(node),
+          compressed(node),
+          color_info(node),
+          depth(node),
+          depth_info(node),
+          map(node) {}
+    Reader<topics::ColorImage> color;
+    Reader<topics::ColorImageCompressed> compressed;
+    Reader<topics::ColorCameraInfo> color_info;
+    Reader<topics::DepthImage> depth;
+    Reader<topics::DepthCameraInfo> depth_info;
+    Reader<topics::LocalMap> map;
+    std::optional<CameraWithLens> color_camera;
+    std::optional<CameraWithLens> depth_camera;
   };
   struct Heard {
     ServiceReport report;
@@ -68,16 +89,22 @@ class Listener {
   };
   template <class Topic>
   void watch(const Reader<Topic>& reader);
-  void take_images();
+  void take_inputs();
+  void take_images(Cameras& cameras);
+  template <class Topic, class Convert, class Take>
+  void take_as(Reader<Topic>& reader, Convert convert, Take take);
+  void fill_inputs(FlightSnapshot& p) const;
   void hear(const foretrack_msgs::msg::ServiceHealth& health);
 
   Node& node_;
   Kept<topics::Odometry> odometry_;
   Reader<topics::TargetObservation> observation_;
-  Reader<topics::ColorCameraInfo> color_info_;
-  std::optional<Reader<topics::DepthImage>> depth_;
+  std::optional<Reader<topics::ColorCameraInfo>> color_info_;  // unless the cameras are watched
+  std::optional<Cameras> cameras_;
+  Reader<topics::Px4VehicleStatus> px4_status_;
+  double px4_ahead_s_ = 0.0;
+  bool nobody_in_images_ = false;
   Kept<topics::TargetState> target_;
-  std::optional<Reader<topics::LocalMap>> map_;
   Kept<topics::TargetIntention> intention_;
   Kept<topics::TargetPrediction> prediction_;
   Kept<topics::PlannedTrajectory> plan_;
@@ -87,6 +114,7 @@ class Listener {
   Kept<topics::VehicleTruth> vehicle_truth_;
   Kept<topics::TargetTruth> target_truth_;
   std::vector<Slot> slots_;
+  std::map<std::string, std::string> refusals_;  // the last one in words, by the topic's wire name
   std::map<std::string, Heard> services_;
   double simulated_s_ = -1.0;  // negative: no simulated clock is heard
   RateMeter simulated_ms_;

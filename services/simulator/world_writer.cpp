@@ -8,6 +8,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_health.hpp"
 #include "services/convert/target.hpp"
+#include "services/convert/transforms.hpp"
 #include "services/convert/vehicle.hpp"
 
 namespace foretrack {
@@ -34,7 +35,9 @@ VehicleState as_odometry(const PersonState& person) {
 }  // namespace
 
 WorldWriter::WorldWriter(Node& node, const Scenario& scenario, const World& world)
-    : odometry_(node),
+    : body_frame_(node.options().names.frame(kBodyFrame)),
+      camera_frame_(node.options().names.frame(kCameraFrame)),
+      odometry_(node),
       px4_odometry_(node),
       px4_position_(node),
       px4_status_(node),
@@ -54,7 +57,8 @@ WorldWriter::WorldWriter(Node& node, const Scenario& scenario, const World& worl
     observation_.emplace(node);
     sightings_.emplace(node);
   }
-  to_transform(scenario.depth_camera.camera.T_body_camera, 0.0, mount_.sample());
+  to_transform(scenario.depth_camera.camera.T_body_camera, body_frame_, camera_frame_, 0.0,
+               mount_.sample());
   mount_.write();
   if (scenario.map != MapSource::kKnown) return;
   to_idl(known_map(world, scenario.map_resolution_m), map_.sample());
@@ -70,7 +74,7 @@ void WorldWriter::publish(const SimulatorOutput& out) {
 }
 
 void WorldWriter::publish_vehicle(const SimulatorOutput& out) {
-  to_idl(out.vehicle, odometry_.sample());
+  to_idl(out.vehicle, odometry_.sample(), body_frame_);
   odometry_.write();
   to_idl(out.vehicle, px4_odometry_.sample());
   px4_odometry_.write();
@@ -78,7 +82,7 @@ void WorldWriter::publish_vehicle(const SimulatorOutput& out) {
   to_idl(out.vehicle, px4_position_.sample());
   px4_position_.write();
   if (transforms_.readers() == 0) return;
-  to_transform(out.vehicle, transforms_.sample());
+  to_transform(out.vehicle, body_frame_, transforms_.sample());
   transforms_.write();
 }
 
@@ -117,22 +121,22 @@ void WorldWriter::publish_cameras(const SimulatorOutput& out) {
     sightings_->write();
   }
   if (out.color) {
-    to_idl(out.color->camera, out.color->stamp_s, color_info_.sample());
+    to_idl(out.color->camera, out.color->stamp_s, color_info_.sample(), camera_frame_);
     color_info_.write();
-    to_idl(out.color->pixels, out.color->stamp_s, color_.sample());
+    to_idl(out.color->pixels, out.color->stamp_s, color_.sample(), camera_frame_);
     color_.write();
   }
   if (!out.depth) return;
-  to_idl(out.depth->camera, out.depth->stamp_s, camera_info_.sample());
+  to_idl(out.depth->camera, out.depth->stamp_s, camera_info_.sample(), camera_frame_);
   camera_info_.write();
-  to_idl(*out.depth, depth_.sample());
+  to_idl(*out.depth, depth_.sample(), camera_frame_);
   depth_.write();
 }
 
 void WorldWriter::publish_truth(const SimulatorOutput& out) {
   to_idl(as_odometry(out.target), target_truth_.sample());
   target_truth_.write();
-  to_idl(out.vehicle, vehicle_truth_.sample());
+  to_idl(out.vehicle, vehicle_truth_.sample(), body_frame_);
   vehicle_truth_.write();
 }
 

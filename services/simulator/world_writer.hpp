@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/simulator/simulate.hpp"
 #include "foretrack_msgs/msg/BodySightings.h"
@@ -41,6 +42,7 @@ class WorldWriter {
   AutopilotStatus autopilot_;
   bool offboard_possible_ = false, trouble_ = false;
 
+  const std::string body_frame_, camera_frame_;
   Writer<topics::Odometry> odometry_;
   Writer<topics::Px4VehicleOdometry> px4_odometry_;
   Writer<topics::Px4VehicleLocalPosition> px4_position_;

@@ -47,13 +47,6 @@ void feed(const CdrBytes& bytes) {
   if (const auto value = from_idl(message)) use(*value);
 }
 
-template <>
-void feed<sensor_msgs::msg::CameraInfo>(const CdrBytes& bytes) {
-  sensor_msgs::msg::CameraInfo message;
-  if (!from_cdr(type_ops<sensor_msgs::msg::CameraInfo>(), bytes, &message)) return;
-  if (const auto camera = from_idl(message, Pose::Identity())) use(*camera);
-}
-
 constexpr std::array kFeeds = {
     feed<foretrack_msgs::msg::MovingBodies>,
     feed<foretrack_msgs::msg::BodySightings>,

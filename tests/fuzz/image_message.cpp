@@ -12,12 +12,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < kHeader) return 0;
   std::uint32_t numbers[3];
   std::memcpy(numbers, data, sizeof numbers);
-  constexpr const char* kEncodings[] = {"rgb8", "bgr8", "mono8", "yuv422"};
+  constexpr const char* kEncodings[] = {"rgb8",  "bgr8",        "mono8",  "yuv422",
+                                        "bgra8", "yuv422_yuy2", "mono16", "bayer_rggb8"};
   sensor_msgs::msg::Image message;
   message.width(numbers[0] % 40000);
   message.height(numbers[1] % 40000);
   message.step(numbers[2]);
-  message.encoding(kEncodings[data[12] % 4]);
+  message.encoding(kEncodings[data[12] % 8]);
   message.data().assign(data + kHeader, data + size);
   CameraModel camera;
   camera.width_px = data[13];

@@ -159,10 +159,15 @@ TEST(Topics, HaveDistinctNamesOnTheWire) {
 TEST(Topics, FollowTheNamesOfPx4sReleasesAndVehicles) {
   Names names;
   names.px4_namespace = "px4_2";
-  names.px4_vehicle_status_version = 0;
+  names.px4_release = "1.15";
   EXPECT_EQ(topic_name(topics::Px4VehicleStatus::info, names), "rt/px4_2/fmu/out/vehicle_status");
   EXPECT_EQ(topic_name(topics::Px4VehicleOdometry::info, names),
             "rt/px4_2/fmu/out/vehicle_odometry");
+  names.px4_release = "1.18";
+  EXPECT_EQ(topic_name(topics::Px4VehicleStatus::info, names),
+            "rt/px4_2/fmu/out/vehicle_status_v4");
+  EXPECT_EQ(topic_name(topics::Px4BatteryStatus::info, names),
+            "rt/px4_2/fmu/out/battery_status_v1");
 }
 
 TEST(Topics, HaveProfilesThatTheFileDefinesForBothSides) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""two_hosts.py LOSS_FILE: two hosts on one machine, and a network between them that loses packets.
+"""two_hosts.py LOSS_FILE [--no-multicast]: two hosts on one machine, and a network between them that
+loses packets, and with --no-multicast all that are not for one host.
 
 Each host is a network namespace of its own, so that nothing reaches the other by shared memory or
 the loopback device. LOSS_FILE holds the share of packets that is lost, "0" to "1" (a partition), and
@@ -62,6 +63,10 @@ def packets_of(device):
             return
 
 
+def is_multicast(packet):
+    return len(packet) >= 20 and packet[0] >> 4 == 4 and packet[16] >> 4 == 14
+
+
 def deliver(packet, device):
     try:
         os.write(device, packet)
@@ -76,6 +81,7 @@ def main():
     devices = [connect(pid, names[i], f"198.18.78.{i + 1}") for i, pid in enumerate(hosts)]
     print("ready", *hosts, flush=True)
     loss, read_s = 0.0, -1e9
+    no_multicast = "--no-multicast" in sys.argv
     while True:
         if time.monotonic() - read_s > READ_AGAIN_S:
             read_s = time.monotonic()
@@ -83,6 +89,8 @@ def main():
                 loss = float(file.read() or loss)
         for device in select.select(devices, [], [], READ_AGAIN_S)[0]:
             for packet in packets_of(device):
+                if no_multicast and is_multicast(packet):
+                    continue
                 if random.random() >= loss:
                     deliver(packet, devices[1 - devices.index(device)])
 

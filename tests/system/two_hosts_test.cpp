@@ -1,55 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The safety gate on a host of its own, behind a network that loses packets or is cut: what is
 // flown meanwhile, and afterwards.
+#include "tests/system/two_hosts.hpp"
+
 #include "services/launch/domain.hpp"
-#include "tests/system/program.hpp"
 
 namespace foretrack {
 namespace {
 
 constexpr double kPartition_s = 10.0;
 constexpr double kLeastGap_m = 0.5;  // from the vehicle's middle to the person's
-
-/// Two network namespaces, and what connects them; gone with their owner.
-class Network {
- public:
-  explicit Network(const std::filesystem::path& folder)
-      : loss_file_(folder / "loss"),
-        program_((lose("0"), arguments()), folder / "network.out", "/usr/bin/env") {}
-
-  bool is_ready() {
-    eventually([this] { return !program_.running() || is_up(); }, 20.0);
-    if (!program_.running() || !is_up()) return false;
-    std::string word;
-    std::istringstream(program_.output()) >> word >> hosts_[0] >> hosts_[1];
-    return true;
-  }
-  /// The share of packets that is lost.
-  void lose(const std::string& share) {
-    const std::filesystem::path fresh = loss_file_.string() + ".new";
-    std::ofstream(fresh) << share;
-    std::filesystem::rename(fresh, loss_file_);
-  }
-  /// Arguments of /usr/bin/env for the program on one of the hosts.
-  std::vector<std::string> on(int host, std::vector<std::string> words) const {
-    words.insert(words.begin(),
-                 {"nsenter", "--net=/proc/" + hosts_[host] + "/ns/net", FORETRACK_PROGRAM});
-    return words;
-  }
-
- private:
-  std::vector<std::string> arguments() const {
-    return {"python3", FORETRACK_SOURCE_DIR "/tests/system/two_hosts.py", loss_file_.string()};
-  }
-  bool is_up() const { return program_.output().find("ready") != std::string::npos; }
-
-  std::filesystem::path loss_file_;
-  std::string hosts_[2];
-  Program program_;
-};
-
-constexpr int kVehicle = 0, kGate = 1;  // the hosts
-constexpr char kAddressOfGate[] = "198.18.78.2";
 
 class TwoHosts : public ::testing::Test {
  protected:
@@ -93,7 +53,7 @@ class TwoHosts : public ::testing::Test {
 
   const FreeDomain domain_;
   Folder folder_;
-  Network network_{folder_.path};
+  TwoHostsNetwork network_{folder_.path};
   std::vector<std::unique_ptr<Program>> programs_;
 };
 

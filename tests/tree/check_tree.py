@@ -13,10 +13,12 @@
 
 Exit code 0: kept; 1: broken, with a line for each fault; 77: a tool is missing.
 """
+import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -208,6 +210,28 @@ def units():
             told = done.stderr.strip() if command[0] == "verify" else ""
             if done.returncode or told:
                 yield f"{path}: systemd-analyze {command[0]}: {told or done.stdout[-200:]}"
+    yield from drop_ins()
+
+
+def drop_ins():
+    """Faults of the units with their identities (deploy/systemd/secured/)."""
+    told = (ROOT / "services/common/identity.hpp").read_text()
+    wanted = set(re.findall(r'constexpr char k\w+\[\] = "([^"]+)"', told))
+    with tempfile.TemporaryDirectory() as folder:
+        for path in sorted(ROOT.glob("deploy/systemd/secured/*.conf")):
+            text = path.read_text()
+            if set(re.findall(r"^LoadCredential=([^:]+):", text, re.MULTILINE)) != wanted:
+                yield f"{path}: hands over other files than an identity has"
+            unit = next(ROOT.glob(f"deploy/systemd/{path.stem}[@.]*service"))
+            shutil.copy(unit, folder)
+            (Path(folder) / f"{unit.name}.d").mkdir()
+            shutil.copy(path, Path(folder) / f"{unit.name}.d/identity.conf")
+            done = subprocess.run(
+                ["systemd-analyze", "verify", "--man=no", unit.name.replace("@", "@uav1")],
+                env={**os.environ, "SYSTEMD_UNIT_PATH": folder + ":"}, capture_output=True, text=True,
+                check=False)
+            if done.returncode or done.stderr.strip():
+                yield f"{path}: {done.stderr.strip()}"
 
 
 def braces(text):

@@ -71,16 +71,6 @@ void aim_camera(const PlanStart& start, const ExpectedTarget& expected,
   plan_angles(start, params, w, trajectory);
 }
 
-void sweep_camera(const PlanStart& start, double turn, const PlanningParams& params,
-                  AimWorkspace& w, PlannedTrajectory& trajectory) {
-  const int nodes = static_cast<int>(std::ceil(trajectory.duration_s() / trajectory.yaw.dt_s));
-  w.yaws_rad.clear();
-  w.pitches_rad.assign(nodes, 0.0);
-  const double step_rad = turn * params.view.search_rate_rad_s * trajectory.yaw.dt_s;
-  for (int i = 1; i <= nodes; ++i) w.yaws_rad.push_back(start.yaw.angle_rad + i * step_rad);
-  plan_angles(start, params, w, trajectory);
-}
-
 void hold_camera(const PlanStart& start, const PlanningParams& params, AimWorkspace& w,
                  PlannedTrajectory& trajectory) {
   w.yaws_rad.clear();

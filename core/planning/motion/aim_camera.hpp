@@ -20,10 +20,6 @@ void aim_camera(const PlanStart& start, const ExpectedTarget& expected,
                 const PlanningParams& params, AimWorkspace& workspace,
                 PlannedTrajectory& trajectory);
 
-/// Turns the camera round at the search's rate, to the left if turn is +1, to the right if −1.
-void sweep_camera(const PlanStart& start, double turn, const PlanningParams& params,
-                  AimWorkspace& workspace, PlannedTrajectory& trajectory);
-
 /// Brakes yaw (and pitch) to rest.
 void hold_camera(const PlanStart& start, const PlanningParams& params, AimWorkspace& workspace,
                  PlannedTrajectory& trajectory);

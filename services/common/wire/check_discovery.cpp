@@ -123,7 +123,7 @@ bool handshake_fits(Reader reader) {
 
 Form form_of(std::uint32_t entity_id) {
   switch (entity_id) {
-    case 0x000100c2:  // participants
+    case kParticipantWriter:
     case 0x000100c7:
     case 0xff0101c2:
     case 0xff0101c7:
@@ -166,6 +166,18 @@ bool check_parameters(Reader& reader, Blanks& blanks) {
       blanks.add(position);
     else if (!parameter_fits(id, Reader(value, reader.little_endian())))
       return false;
+  }
+}
+
+bool has_identity(std::span<const std::uint8_t> payload) {
+  Reader reader(payload, payload.size() > 1 && payload[1] % 2 == 1);
+  reader.skip(kEncapsulation);
+  while (true) {
+    const std::uint16_t id = reader.u16(), length = reader.u16();
+    if (!reader.ok() || id == kSentinel) return false;
+    if (id == kIdentityToken) return true;
+    reader.skip(length);
+    reader.align();
   }
 }
 

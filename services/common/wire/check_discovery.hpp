@@ -25,6 +25,11 @@ class Blanks {
 /// stands behind them afterwards.
 bool check_parameters(Reader& reader, Blanks& blanks);
 
+/// The built-in writer by which a participant tells of itself.
+inline constexpr std::uint32_t kParticipantWriter = 0x000100c2;
+/// Whether these parameters, which fit, name an identity of DDS-Security.
+bool has_identity(std::span<const std::uint8_t> payload);
+
 /// A sample with its encapsulation. Positions of blanks are from the payload's beginning.
 bool check_payload(Form form, std::span<const std::uint8_t> payload, Blanks& blanks);
 

@@ -83,7 +83,10 @@ const char* word(Fault fault) {
                                            "a sample's header",
                                            "a sample's fragments",
                                            "discovery's parameters",
-                                           "parts of what is protected"};
+                                           "parts of what is protected",
+                                           "a participant without an identity",
+                                           "an identity that is not accepted",
+                                           "a writer or reader that its role may not have"};
   return kWords[static_cast<std::size_t>(fault)];
 }
 

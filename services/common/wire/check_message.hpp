@@ -21,8 +21,11 @@ enum class Fault {
   kFragment,    // a piece of a sample that it cannot be
   kDiscovery,   // parameters of a participant or endpoint, signs of life, handshakes
   kSecurity,    // a protected submessage whose parts do not fit each other
+  kStranger,    // a participant that shows no identity where each must have one
+  kIdentity,    // an identity that was not accepted: refused by DDS-Security, not here
+  kRole,        // a writer or reader that its identity may not have: the same
 };
-inline constexpr std::size_t kFaults = 9;
+inline constexpr std::size_t kFaults = 12;
 /// In words, for people: "a submessage's length".
 const char* word(Fault fault);
 
@@ -43,6 +46,8 @@ struct Checked {
   /// and filters is parsed deeply, and nobody here needs it.
   std::array<std::uint32_t, kMostBlanks> blanks{};
   std::size_t blank_count = 0;
+  /// A participant tells of itself, and has no identity of DDS-Security.
+  bool of_stranger = false;
 };
 
 /// Work is bounded by the message's length.

@@ -128,6 +128,8 @@ Fault check_data(const Submessage& submessage, Checked& checked) {
   if ((data || key) && reader.left() < 4) return Fault::kData;
   blanks.from(submessage.position + reader.position());
   if (data && !payload_fits(header, reader, blanks)) return Fault::kDiscovery;
+  if (data && header.writer == kParticipantWriter && !has_identity(reader.rest()))
+    checked.of_stranger = true;
   return fault_unless(!blanks.full(), Fault::kDiscovery);
 }
 

@@ -40,12 +40,8 @@ void read_stage(const YAML::Node& section, std::string_view stage, const ParamRo
   if (!section.IsMap())
     return faults.add(section.Mark(),
                       fmt::format("{}: expected a mapping of keys to values", stage));
-  std::vector<std::string> seen;
   for (const auto& entry : section) {
     const std::string key = entry.first.Scalar();
-    if (std::find(seen.begin(), seen.end(), key) != seen.end())
-      faults.add(entry.first.Mark(), fmt::format("{}.{}: given twice", stage, key));
-    seen.push_back(key);
     const std::string value = entry.second.IsScalar() ? entry.second.Scalar() : std::string();
     const std::string fault = set_param(rows, key, value);
     if (!fault.empty()) faults.add(entry.first.Mark(), fmt::format("{}.{}", stage, fault));

@@ -20,7 +20,7 @@ std::vector<std::pair<std::string_view, ParamRows>> stages_of(TrackerParams& par
 std::string find_params(const std::string& name_or_file);
 
 /// Defaults with the file's values. Throws std::invalid_argument that names every fault (unknown
-/// section or key, bad text, NaN, out of range) with file and line.
+/// stage or key, bad text, NaN, out of range) with file and line.
 TrackerParams load_params(const std::string& file);
 
 /// A table of the stage's rows (name, value, unit, range, meaning); every stage if empty. Throws

@@ -127,6 +127,7 @@ Scenario load_scenario(const std::string& name_or_file, const ScenarioOverrides&
   apply(overrides, s, read.track);
   if (!read.generator_has_seed) s.generator.seed = s.seed;
   if (read.encounter) stage_encounter(*read.encounter, s);
+  if (read.hiding) stage_hiding(*(s.hiding = read.hiding), s);
   if (read.track) s.target.track = load_track(*read.track, file);
   // A chest that leads would give the recorded future away, which nobody recorded of it.
   if (read.track && !read.has_shoulder_lead) s.target.person.shoulder_lead_s = 0.0;

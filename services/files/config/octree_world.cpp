@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/files/config/octree_world.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <stdexcept>
 
 #include "core/mapping/octree_io.hpp"
@@ -61,18 +64,58 @@ class Merging {
   GridMap& grid_;
 };
 
+std::unique_ptr<octomap::OcTree> read(const std::filesystem::path& file) {
+  auto tree = read_octree(file.string());
+  if (tree->size() == 0) throw std::invalid_argument(file.string() + ": the octree is empty");
+  return tree;
+}
+
+Eigen::AlignedBox3d extents_of(const octomap::OcTree& tree) {
+  Eigen::AlignedBox3d box(Vec3::Zero(), Vec3::Zero());
+  tree.getMetricMin(box.min().x(), box.min().y(), box.min().z());
+  tree.getMetricMax(box.max().x(), box.max().y(), box.max().z());
+  return box;
+}
+
+GridMap within(const octomap::OcTree& tree, const std::filesystem::path& file, const World& world) {
+  const auto extents = extents_of(tree);
+  const auto box = extents.intersection({world.min_m, world.max_m});
+  if (((box.max() - box.min()).array() < tree.getResolution()).any())
+    throw std::invalid_argument(
+        fmt::format("{}: nothing of it is within bounds_m; it reaches from ({:.2f}) to ({:.2f}) m",
+                    file.string(), fmt::join(extents.min(), ", "), fmt::join(extents.max(), ", ")));
+  return grid_of_octree(tree, box.min(), box.max());
+}
+
 }  // namespace
 
 double add_octree(const std::filesystem::path& file, bool set_bounds, World& world) {
-  const auto tree = read_octree(file.string());
-  if (tree->size() == 0) throw std::invalid_argument(file.string() + ": the octree is empty");
-  GridMap grid = grid_of_octree(*tree);
+  const auto tree = read(file);
+  GridMap grid = set_bounds ? grid_of_octree(*tree) : within(*tree, file, world);
   if (set_bounds) {
     world.min_m = grid.origin_enu_m;
     world.max_m = grid.origin_enu_m + grid.resolution_m * grid.size.cast<double>();
   }
   Merging(grid).run(world.boxes);
   return grid.resolution_m;
+}
+
+OctreeSummary summarize_octree(const std::filesystem::path& file) {
+  const auto tree = read(file);
+  OctreeSummary summary;
+  summary.resolution_m = tree->getResolution();
+  summary.min_m = extents_of(*tree).min();
+  summary.max_m = extents_of(*tree).max();
+  for (auto leaf = tree->begin_leafs(); leaf != tree->end_leafs(); ++leaf) {
+    const std::size_t side = std::size_t{1} << (tree->getTreeDepth() - leaf.getDepth());
+    const bool occupied = tree->isNodeOccupied(*leaf);
+    (occupied ? summary.occupied_cells : summary.free_cells) += side * side * side;
+    if (!occupied) continue;
+    const Vec3 centre(leaf.getX(), leaf.getY(), leaf.getZ());
+    const Vec3 half = Vec3::Constant(0.5 * leaf.getSize());
+    summary.occupied_m.extend(centre - half).extend(centre + half);
+  }
+  return summary;
 }
 
 }  // namespace foretrack

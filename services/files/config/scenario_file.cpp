@@ -9,7 +9,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kFar_m = 1000.0;
-constexpr std::array<std::string_view, 2> kTrackFormats = {"opentraj", "xy"};
+constexpr std::array<std::string_view, 3> kTrackFormats = {"opentraj", "xy", "id_frame_xy"};
 
 void check_extent(YamlReader& r, std::string_view key, const Vec3& min, const Vec3& max) {
   if (!(max - min).array().isFinite().all() || ((max - min).array() <= 0.0).any())
@@ -181,6 +181,19 @@ void read_encounter(YamlReader& r, ScenarioFile& file) {
     r.fault("target", "an encounter has its own route and stops");
 }
 
+void read_hiding(YamlReader& r, ScenarioFile& file) {
+  if (!r.has("hiding")) return;
+  int kind = 0;
+  r.choice("hiding", kHidingKindNames, kind);
+  file.hiding = static_cast<HidingKind>(kind);
+  for (const char* key : {"world", "encounter", "vehicle", "duration_s"})
+    if (r.has(key)) r.fault(key, "a hiding has its own");
+  const Scenario& s = file.scenario;
+  if (!s.target.route_m.empty() || file.track || file.random_stops ||
+      !s.target.person.stops.empty())
+    r.fault("target", "a hiding has its own route, speed and stops");
+}
+
 }  // namespace
 
 ScenarioFile read_scenario_file(YamlReader& r) {
@@ -203,6 +216,7 @@ ScenarioFile read_scenario_file(YamlReader& r) {
   r.number("duration_s", s.duration_s, 0.1, 1e5);
   r.seed("seed", s.seed);
   read_encounter(r, file);
+  read_hiding(r, file);
   r.finish();
   return file;
 }

@@ -14,7 +14,7 @@ struct TrackSource {
   std::string file;
   int format = 0;
   int pedestrian = 1;
-  double rate_hz = 25.0;
+  double rate_hz = 0.0;  // 0: as the file says, else 25
   Vec2 offset_m = Vec2::Zero();
 };
 
@@ -30,6 +30,7 @@ struct ScenarioFile {
   std::optional<RandomStops> random_stops;
   std::string octree;
   std::optional<EncounterKind> encounter;  // stages world, walks and vehicle
+  std::optional<HidingKind> hiding;        // stages world, walk and duration
   bool generator_has_seed = false, has_bounds = false, has_resolution = false;
   bool has_shoulder_lead = false;
 };

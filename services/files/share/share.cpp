@@ -22,8 +22,9 @@ std::vector<fs::path> share_folders() {
   if (const char* folder = std::getenv("FORETRACK_SHARE")) add(folder);
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) add(program.parent_path().parent_path() / "share" / "foretrack");
-  add(FORETRACK_SOURCE_DIR);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "foretrack";
+  if (!error) add(installed);
+  if (!fs::is_directory(installed, error)) add(FORETRACK_SOURCE_DIR);
   return folders;
 }
 

@@ -31,6 +31,31 @@ bool to_numbers(const YAML::Node& node, std::size_t n, std::vector<double>& valu
   return true;
 }
 
+constexpr int kMostDepth = 32;
+constexpr int kMostNodes = 1'000'000;  // with those that aliases repeat
+
+// YAML forbids a key twice in a mapping; yaml-cpp takes the first. Bounded, as aliases can lead
+// back.
+void check_keys(const YAML::Node& node, const std::string& path, int depth, int& left,
+                Faults& faults) {
+  if (depth > kMostDepth || --left < 0)
+    return faults.add(node.Mark(), fmt::format("{}: deeper or longer than files are", path));
+  if (node.IsSequence())
+    for (std::size_t i = 0; i < node.size() && left > 0; ++i)
+      check_keys(node[i], fmt::format("{}[{}]", path, i), depth + 1, left, faults);
+  if (!node.IsMap()) return;
+  std::vector<std::string> seen;
+  for (const auto& entry : node) {
+    if (left <= 0) return;
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : std::string();
+    const std::string place = path.empty() ? key : path + "." + key;
+    if (std::find(seen.begin(), seen.end(), key) != seen.end())
+      faults.add(entry.first.Mark(), place + ": given twice");
+    seen.push_back(key);
+    check_keys(entry.second, place, depth + 1, left, faults);
+  }
+}
+
 }  // namespace
 
 void Faults::add(const YAML::Mark& mark, const std::string& text) {
@@ -44,7 +69,17 @@ void Faults::throw_if_any() const {
 
 YAML::Node load_yaml(const std::filesystem::path& file) {
   try {
-    return YAML::LoadFile(file.string());
+    std::vector<YAML::Node> documents = YAML::LoadAllFromFile(file.string());
+    while (documents.size() > 1 && documents.back().IsNull()) documents.pop_back();
+    if (documents.empty()) return YAML::Node(YAML::NodeType::Null);
+    Faults faults(file.string());
+    if (documents.size() > 1)
+      faults.add(documents[1].Mark(),
+                 fmt::format("{} documents (divided by ---), one expected", documents.size()));
+    int left = kMostNodes;
+    check_keys(documents.front(), "", 0, left, faults);
+    faults.throw_if_any();
+    return documents.front();
   } catch (const YAML::BadFile&) {
     throw std::invalid_argument(file.string() + ": cannot be read");
   } catch (const YAML::ParserException& error) {
@@ -125,6 +160,25 @@ void YamlReader::text(std::string_view key, std::string& value) {
   value = node.Scalar();
 }
 
+void YamlReader::texts(std::string_view key, std::vector<std::string>& values) {
+  if (!has(key)) return;
+  const YAML::Node node = take(key);
+  if (node.IsScalar()) {
+    values = {node.Scalar()};
+    return;
+  }
+  if (!node.IsSequence())
+    return fault(key, fmt::format("is {}, expected a list of texts", kind_of(node)));
+  values.clear();
+  for (const YAML::Node& item : node) {
+    if (item.IsScalar())
+      values.push_back(item.Scalar());
+    else
+      faults_.add(item.Mark(),
+                  fmt::format("{}: holds {}, expected texts", path_of(key), kind_of(item)));
+  }
+}
+
 void YamlReader::choice(std::string_view key, std::span<const std::string_view> choices,
                         int& value) {
   if (!has(key)) return;
@@ -192,15 +246,11 @@ void YamlReader::finish() {
   if (!node_.IsMap()) return;
   std::sort(asked_.begin(), asked_.end());
   asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
-  std::vector<std::string> seen;
   for (const auto& entry : node_) {
     const std::string key = entry.first.Scalar();
     if (!std::binary_search(asked_.begin(), asked_.end(), key))
       faults_.add(entry.first.Mark(), fmt::format("{}: unknown key; known are {}", path_of(key),
                                                   fmt::join(asked_, ", ")));
-    if (std::find(seen.begin(), seen.end(), key) != seen.end())
-      faults_.add(entry.first.Mark(), path_of(key) + ": given twice");
-    seen.push_back(key);
   }
 }
 

@@ -31,7 +31,7 @@ class Faults {
 };
 
 /// The document. Throws std::invalid_argument, naming file and line, if it cannot be read or
-/// parsed.
+/// parsed, is not the only one in its file, or has a key twice in one mapping.
 YAML::Node load_yaml(const std::filesystem::path& file);
 
 /// One mapping of a document. A key that is missing leaves the value as it is; a value of another
@@ -47,6 +47,8 @@ class YamlReader {
   void seed(std::string_view key, std::uint64_t& value);
   void flag(std::string_view key, bool& value);
   void text(std::string_view key, std::string& value);
+  /// A list of texts, or one alone.
+  void texts(std::string_view key, std::vector<std::string>& values);
   /// The index of the word in `choices`.
   void choice(std::string_view key, std::span<const std::string_view> choices, int& value);
   void point(std::string_view key, Vec2& value);

@@ -54,8 +54,7 @@ std::vector<std::string> warnings_of(const Node& node) {
   std::vector<std::string> result;
   if (const char* unsecured = node.why_unsecured(); *unsecured) result.emplace_back(unsecured);
   for (const auto& [reason, messages] : node.wire().refused_by_reason())
-    result.push_back(
-        fmt::format("{} messages on the network were refused unread: {}", messages, reason));
+    result.push_back(fmt::format("{} × refused on the network: {}", messages, reason));
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/ground_station/mcap/reader.hpp"
 
+#include <lz4frame.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -10,6 +11,28 @@ namespace foretrack::station::mcap {
 namespace {
 
 constexpr std::uint64_t kMaxChunkBytes = 1u << 30;
+
+// Whether exactly `out` was in it.
+bool decompress_zstd(std::span<const std::uint8_t> in, Bytes& out) {
+  const auto got = ZSTD_decompress(out.data(), out.size(), in.data(), in.size());
+  return !ZSTD_isError(got) && got == out.size();
+}
+
+// MCAP has LZ4 in its frame format.
+bool decompress_lz4(std::span<const std::uint8_t> in, Bytes& out) {
+  LZ4F_dctx* context = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION))) return false;
+  std::size_t from = 0, to = 0, left = 1;
+  while (left != 0 && from < in.size()) {
+    std::size_t read = in.size() - from, written = out.size() - to;
+    left = LZ4F_decompress(context, out.data() + to, &written, in.data() + from, &read, nullptr);
+    if (LZ4F_isError(left) || (read == 0 && written == 0)) break;
+    from += read;
+    to += written;
+  }
+  LZ4F_freeDecompressionContext(context);
+  return left == 0 && to == out.size();
+}
 
 }  // namespace
 
@@ -55,12 +78,13 @@ bool Reader::open_chunk(std::span<const std::uint8_t> content) {
   if (!decoder.good() || size > kMaxChunkBytes) return stop("a chunk is malformed");
   if (compression.empty()) {
     chunk_.assign(records.begin(), records.end());
-  } else if (compression == "zstd") {
+  } else if (compression == "zstd" || compression == "lz4") {
     chunk_.resize(static_cast<std::size_t>(size));
-    const auto got = ZSTD_decompress(chunk_.data(), chunk_.size(), records.data(), records.size());
-    if (ZSTD_isError(got) || got != size) return stop("a chunk does not decompress");
+    const bool whole =
+        compression == "zstd" ? decompress_zstd(records, chunk_) : decompress_lz4(records, chunk_);
+    if (!whole) return stop("a chunk does not decompress");
   } else {
-    return stop("chunks are compressed by " + compression);
+    return stop("chunks are compressed by " + compression + ", zstd or lz4 expected");
   }
   if (crc != 0 && crc != crc32(0, chunk_)) return stop("a chunk's checksum is wrong");
   in_chunk_.emplace(chunk_);

@@ -19,7 +19,7 @@ struct Message {
   std::span<const std::uint8_t> data;  // valid until the next call
 };
 
-/// Chunks may be uncompressed or compressed by zstd. Needs no summary, so that the file of a
+/// Chunks may be uncompressed or compressed by zstd or lz4. Needs no summary, so that the file of a
 /// process that was killed can be read. Nothing in the file can make it read outside of it.
 class Reader {
  public:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <string_view>
 #include <thread>
 
@@ -21,17 +22,41 @@ std::string value_of(const std::map<std::string, std::string>& map, const std::s
   return it == map.end() ? "" : it->second;
 }
 
+// Of rosbag2, which has the names of ROS 2: "nav_msgs/msg/Odometry" →
+// "nav_msgs::msg::dds_::Odometry_".
+std::string dds_type_of(const std::string& schema_name) {
+  const auto first = schema_name.find("/msg/");
+  if (first == std::string::npos) return "";
+  return schema_name.substr(0, first) + "::msg::dds_::" + schema_name.substr(first + 5) + "_";
+}
+
+// Of rosbag2's offered_qos_profiles, in which policies are numbers (older ones) or words.
+std::string profile_of(const std::string& offered) {
+  const auto says = [&offered](const char* what) {
+    return offered.find(what) != std::string::npos;
+  };
+  if (offered.empty()) return "";
+  if (says("durability: 1") || says("durability: transient_local")) return "latched";
+  return says("reliability: 2") || says("reliability: best_effort") ? "sensor" : "state";
+}
+
 Channel channel_of(std::uint16_t id, const mcap::ChannelInfo& info) {
   Channel c;
   c.id = id + 1u;  // 0 is the station's own
   c.topic = info.topic;
   c.wire = value_of(info.metadata, "dds_topic");
   c.type = value_of(info.metadata, "dds_type");
+  const bool of_rosbag = c.wire.empty() && info.topic.starts_with('/') && info.encoding == "cdr";
+  if (of_rosbag && !dds_type_of(info.schema_name).empty()) {
+    c.wire = "rt" + info.topic;
+    c.type = dds_type_of(info.schema_name);
+    c.profile = profile_of(value_of(info.metadata, "offered_qos_profiles"));
+  }
   c.encoding = info.encoding;
   c.schema_name = info.schema_name;
   c.schema_encoding = info.schema_encoding;
   c.schema = info.schema;
-  c.profile = value_of(info.metadata, "qos_profile");
+  if (!of_rosbag) c.profile = value_of(info.metadata, "qos_profile");
   c.latched = c.profile == "latched";
   return c;
 }
@@ -67,7 +92,14 @@ void sleep_until(double at_s, Stop& stop) {
 
 Replay::Replay(const ReplayOptions& options, Outlet outlet)
     : options_(options), outlet_(std::move(outlet)) {
-  mcap::Reader reader(options_.file);
+  check_recording(options_.file);
+}
+
+void check_recording(const std::filesystem::path& file) {
+  mcap::Reader reader(file);
+  if (reader.next()) return;
+  throw std::runtime_error(file.string() + ": no message can be read: " +
+                           (reader.fault().empty() ? "there are none in it" : reader.fault()));
 }
 
 void Replay::play(Stop& stop) {
@@ -133,7 +165,8 @@ std::vector<VehicleReport> Replay::vehicles() const {
   return reports;
 }
 
-std::uint64_t replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop) {
+ReplayedOntoDds replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop) {
+  check_recording(replay.options.file);
   mcap::Reader reader(replay.options.file);
   std::map<std::uint16_t, std::unique_ptr<RawWriter>> writers;
   std::uint64_t written = 0;
@@ -152,7 +185,7 @@ std::uint64_t replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& sto
     const auto& writer = writers[message->channel];
     if (writer) written += writer->write({message->data.begin(), message->data.end()});
   }
-  return written;
+  return {written, reader.fault()};
 }
 
 }  // namespace foretrack::station

@@ -18,10 +18,14 @@ struct ReplayOptions {
   bool again = false;  // from the beginning when it has ended
 };
 
+/// Throws std::runtime_error that names the file and why no message can be read from it: no MCAP,
+/// nothing in it, cut within its first chunk.
+void check_recording(const std::filesystem::path& file);
+
 /// Samples keep their log times.
 class Replay : public Source {
  public:
-  /// Throws std::runtime_error if the file is no MCAP.
+  /// Throws as check_recording does.
   Replay(const ReplayOptions& options, Outlet outlet);
 
   /// Returns at the stop; after the end, waits for it.
@@ -50,9 +54,15 @@ struct ReplayOntoDds {
   bool with_commands = false;  // also what moves vehicles: orders and setpoints
 };
 
-/// Writes the recording's samples to the topics that they came from, with the same bytes. Topics
-/// that were not on the bus, and those that move vehicles, are left out. Until the end or the stop;
-/// returns how many samples were written.
-std::uint64_t replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop);
+struct ReplayedOntoDds {
+  std::uint64_t samples = 0;  // that were written
+  std::string fault;          // why the file ended before its end; empty: it did not
+};
+
+/// Writes the recording's samples to the topics that they came from, with the same bytes; those of
+/// rosbag2 under ROS 2's names and with the quality of service that they had. Topics that were not
+/// on the bus, and those that move vehicles, are left out. Until the end or the stop. Throws as
+/// check_recording does.
+ReplayedOntoDds replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop);
 
 }  // namespace foretrack::station

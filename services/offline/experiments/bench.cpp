@@ -27,10 +27,15 @@ BenchResults run_bench(const BenchRequest& request, const BenchOptions& options)
   r.comparisons = compare(r.jobs, r.records, r.cells);
   r.scene_comparisons = compare(r.jobs, r.records, r.scenes);
   r.encounters = summarize_encounters(r.jobs, r.records);
+  r.hidings = summarize_hidings(r.jobs, r.records);
   if (options.out.empty()) return r;
   write_text(options.out / "summary.json", summary_json_of(r));
   write_text(options.out / "details.json", details_json_of(r));
   write_text(options.out / "flights.csv", flights_csv_of(r));
+  if (!r.hidings.empty()) {
+    write_text(options.out / "hidings.json", hidings_json_of(r.hidings));
+    write_text(options.out / "hidings.csv", hidings_csv_of(r.jobs, r.records));
+  }
   if (r.encounters.empty()) return r;
   write_text(options.out / "encounters.json", encounters_json_of(r.encounters));
   write_text(options.out / "encounters.csv", encounters_csv_of(r.jobs, r.records));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/simulator/encounter.hpp"
+#include "core/simulator/hiding.hpp"
 
 namespace foretrack {
 namespace {
@@ -48,6 +49,13 @@ std::vector<Condition> encounter_conditions(bool all_round) {
     all.push_back({std::string(kind), {fmt::format("encounter={}", kind)}});
     if (all_round) all.back().settings.emplace_back("sensors.people_all_round=true");
   }
+  return all;
+}
+
+std::vector<Condition> hiding_conditions() {
+  std::vector<Condition> all;
+  for (const auto kind : kHidingKindNames)
+    all.push_back({std::string(kind), {fmt::format("hiding={}", kind)}});
   return all;
 }
 
@@ -132,7 +140,17 @@ const std::vector<Experiment>& experiments() {
        .apart = true},
       encounters("encounters",
                  "people come near: head-on, turning back, stopping, crossing, in groups", false),
-      encounters("encounters_all_round", "the same, with bystanders detected on every side", true)};
+      encounters("encounters_all_round", "the same, with bystanders detected on every side", true),
+      {.name = "search",
+       .summary = "the followed person walks to where the vehicle cannot follow, and comes back",
+       .event = EventKind::kHiding,
+       .worlds = {"hiding"},
+       .speeds_m_s = {},
+       .conditions = hiding_conditions(),
+       .runs = 75,
+       .quick_runs = 3,
+       .apart = true,
+       .first_seed = kFirstHidingSeed}};
   return all;
 }
 

@@ -12,6 +12,7 @@ namespace foretrack {
 /// First seeds of the experiments. Parameters are tuned on seeds below 1000 only.
 inline constexpr std::uint64_t kFirstEvaluationSeed = 5001;
 inline constexpr std::uint64_t kFirstEncounterSeed = 20001;
+inline constexpr std::uint64_t kFirstHidingSeed = 31001;  // searches are tuned on 30001–30099
 
 /// What is counted, and judged as docs/metrics.md says.
 enum class EventKind : std::uint8_t {
@@ -19,7 +20,8 @@ enum class EventKind : std::uint8_t {
   kDeceleration,  // sudden stop
   kPass,          // the turn at the T-intersection (the origin)
   kWalk,          // one recorded pedestrian, followed to the end
-  kEncounter      // somebody comes near
+  kEncounter,     // somebody comes near
+  kHiding         // the followed person was out of reach, and comes back
 };
 
 /// What differs from the scenario; the name is empty for none.
@@ -47,7 +49,7 @@ struct Experiment {
 };
 
 /// All of them: turning, deceleration, t_intersection, real_tracks, stress, and those apart:
-/// chests, real_tracks_chest, encounters and encounters_all_round.
+/// chests, real_tracks_chest, encounters, encounters_all_round and search.
 const std::vector<Experiment>& experiments();
 
 /// Throws std::invalid_argument that lists the names.

@@ -34,8 +34,8 @@ std::string command_of(const Run& run, const std::string& params) {
   std::string text = fmt::format("foretrack fly --scenario {} --seed {} --map {} --for {:g}",
                                  quoted(run.world), *o.seed, to_string(*o.map), *o.duration_s);
   if (o.track_file)
-    text += fmt::format(" --track {} --pedestrian {} --track-rate {:g}", quoted(*o.track_file),
-                        *o.pedestrian, *o.track_rate_hz);
+    text += fmt::format(" --track {} --pedestrian {}", quoted(*o.track_file), *o.pedestrian);
+  if (o.track_rate_hz) text += fmt::format(" --track-rate {:g}", *o.track_rate_hz);
   for (const auto& setting : o.settings) text += " --set " + quoted(setting);
   return text + " --params " + quoted(params) + " --out flights/replay";
 }
@@ -150,7 +150,7 @@ class Listing {
         run.overrides.duration_s = std::floor(walk_s * 10.0) / 10.0 + 1.5;
         run.overrides.track_file = file;
         run.overrides.pedestrian = track.pedestrian;
-        run.overrides.track_rate_hz = request_.track_rate_hz;
+        if (request_.track_rate_hz > 0.0) run.overrides.track_rate_hz = request_.track_rate_hz;
       }
     }
     return runs;

@@ -17,10 +17,10 @@ struct BenchRequest {
   std::vector<MapSource> maps = {MapSource::kKnown, MapSource::kDepth};
   std::vector<std::string> scenario_files;  // fly these instead of the experiments' worlds
   std::vector<std::string> track_files;     // pedestrians of real_tracks; none: the shipped ones
-  double track_rate_hz = 25.0;
-  std::vector<double> speeds_m_s;  // instead of the experiments'
-  std::uint64_t seed = 0;          // the first; 0: the experiments'
-  int runs = 0;                    // instead of the experiments'; 0: theirs
+  double track_rate_hz = 0.0;               // 0: as the files say, else 25
+  std::vector<double> speeds_m_s;           // instead of the experiments'
+  std::uint64_t seed = 0;                   // the first; 0: the experiments'
+  int runs = 0;                             // instead of the experiments'; 0: theirs
   bool quick = false;
 };
 

@@ -109,6 +109,12 @@ EventOutcome outcome_of(const EncounterRecord& e) {
   return {e.begin_s, success, e.least_gap_m, e.longest_loss_s, e.contact() || e.wall_contact};
 }
 
+EventOutcome outcome_of(const HidingRecord& h) {
+  const bool contact = h.least_gap_m <= 0.0;
+  return {h.reappears_s, h.found_within(kFindWithin_s) && !contact, h.least_gap_m,
+          h.until_found_s(), contact};
+}
+
 bool RunRecord::failed() const {
   return metrics.collisions > 0 ||
          std::any_of(events.begin(), events.end(), [](const auto& e) { return !e.success; });
@@ -118,7 +124,7 @@ std::vector<EventOutcome> outcomes_of(const Metrics& m, Rows rows, EventKind kin
                                       const MetricParams& params) {
   std::vector<EventOutcome> outcomes;
   if (kind == EventKind::kWalk) return {outcome_of_walk(m, params)};
-  if (kind == EventKind::kEncounter) return {};
+  if (kind == EventKind::kEncounter || kind == EventKind::kHiding) return {};
   const auto& records = kind == EventKind::kDeceleration ? m.deceleration_records : m.turn_records;
   for (const EventRecord& r : records) {
     const Vec3& place = rows[row_at(rows, r.event.begin_s)].target.position_enu_m;
@@ -142,6 +148,9 @@ RunRecord record_of(const FlightResult& flight, std::string_view log_csv, const 
     record.encounters = encounters_of(rows, params);
     record.longest_hover_s = longest_hover_s(rows, params);
     for (const EncounterRecord& e : record.encounters) record.events.push_back(outcome_of(e));
+  } else if (kind == EventKind::kHiding) {
+    record.hidings = hidings_of(rows, flight.world, flight.scenario.map_resolution_m);
+    for (const HidingRecord& h : record.hidings) record.events.push_back(outcome_of(h));
   } else if (kind != EventKind::kWalk) {
     for (const EventOutcome& event : record.events)
       record.curves.push_back(curve_of(rows, event.begin_s));

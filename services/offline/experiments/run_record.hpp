@@ -11,6 +11,7 @@
 #include "services/offline/experiments/path_record.hpp"
 #include "services/offline/flight/encounters.hpp"
 #include "services/offline/flight/fly_pilot.hpp"
+#include "services/offline/flight/hidings.hpp"
 
 namespace foretrack {
 
@@ -60,6 +61,7 @@ struct RunRecord {
   std::vector<ViewPoint> view;  // every 0.1 s
   std::optional<Encounter> staged;
   std::vector<EncounterRecord> encounters;  // where one was staged
+  std::vector<HidingRecord> hidings;        // the same
   double longest_hover_s = 0.0;
 
   bool failed() const;
@@ -69,8 +71,11 @@ struct RunRecord {
 /// least distance is the gap.
 EventOutcome outcome_of(const EncounterRecord& encounter);
 
-/// The events of that kind, but for encounters. Passes are turns that begin within 2.5 m of the
-/// origin.
+/// A hiding succeeds if they are found in time, and untouched. Its loss is until they are found.
+EventOutcome outcome_of(const HidingRecord& hiding);
+
+/// The events of that kind, but for encounters and hidings. Passes are turns that begin within 2.5
+/// m of the origin.
 std::vector<EventOutcome> outcomes_of(const Metrics& metrics, std::span<const FlightRow> rows,
                                       EventKind kind, const MetricParams& params);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/offline/experiments/encounter_summary.hpp"
+#include "services/offline/experiments/hiding_summary.hpp"
 #include "services/offline/experiments/run_record.hpp"
 #include "services/offline/experiments/statistics.hpp"
 
@@ -60,6 +61,7 @@ struct BenchResults {
   std::vector<Comparison> comparisons;        // of cells
   std::vector<Comparison> scene_comparisons;  // of scenes
   EncounterSummary encounters;
+  std::vector<HidingCell> hidings;
 };
 
 }  // namespace foretrack

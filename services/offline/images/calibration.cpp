@@ -12,26 +12,38 @@ namespace foretrack {
 namespace {
 
 constexpr double kMostSide_px = 16384.0;
-constexpr double kMostFocal_px = 1e5;
+
+/// What camera_calibration calls things, or CameraInfo.
+struct Keys {
+  const char *width, *height, *matrix, *coefficients;
+};
+constexpr Keys kFileKeys = {"image_width", "image_height", "camera_matrix",
+                            "distortion_coefficients"};
+constexpr Keys kMessageKeys = {"width", "height", "k", "d"};
 
 struct Reader {
   const YAML::Node& document;
   Faults& faults;
 
+  void fault(const char* key, const std::string& text) const {
+    const YAML::Node node = document[key];
+    faults.add((node ? node : document).Mark(), text);
+  }
   // A missing or malformed number is a fault, and 0.
-  double number(const char* key, double max) const {
+  int side(const char* key) const {
     const YAML::Node node = document[key];
     double value = 0.0;
     if (!node || !node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
-        !(value >= 1.0 && value <= max))
-      faults.add((node ? node : document).Mark(),
-                 fmt::format("{}: a number from 1 to {:g} expected", key, max));
-    return value;
+        !(value >= 1.0 && value <= kMostSide_px) || value != std::floor(value)) {
+      fault(key, fmt::format("{}: a whole number from 1 to {:g} expected", key, kMostSide_px));
+      return 0;
+    }
+    return static_cast<int>(value);
   }
-  // {rows, cols, data: [...]}; `count` 0: any.
-  std::vector<double> matrix(const char* key, std::size_t count) const {
+  // {rows, cols, data: [...]}, or the list alone; `count` 0: any. None: a fault.
+  std::optional<std::vector<double>> numbers(const char* key, std::size_t count) const {
     const YAML::Node node = document[key];
-    const YAML::Node data = node && node.IsMap() ? node["data"] : YAML::Node();
+    const YAML::Node data = node && node.IsMap() ? node["data"] : node;
     std::vector<double> values;
     bool good = data && data.IsSequence() && (count == 0 || data.size() == count);
     for (std::size_t k = 0; good && k < data.size(); ++k) {
@@ -41,53 +53,65 @@ struct Reader {
       values.push_back(value);
     }
     if (good) return values;
-    faults.add((node ? node : document).Mark(), fmt::format("{}.data: {} numbers expected", key,
-                                                            count ? std::to_string(count) : ""));
-    return {};
+    fault(key, fmt::format("{}: a list of {}{}numbers expected", key,
+                           count ? std::to_string(count) : "", count ? " " : ""));
+    return std::nullopt;
   }
 };
 
-void read_camera(const Reader& reader, CameraModel& camera) {
-  camera.width_px = static_cast<int>(reader.number("image_width", kMostSide_px));
-  camera.height_px = static_cast<int>(reader.number("image_height", kMostSide_px));
-  const auto k = reader.matrix("camera_matrix", 9);
-  if (k.empty()) return;
-  if (!(k[0] > 0.0 && k[4] > 0.0 && k[0] < kMostFocal_px && k[4] < kMostFocal_px) ||
-      std::abs(k[2]) > kMostFocal_px || std::abs(k[5]) > kMostFocal_px)
-    return reader.faults.add(
-        reader.document["camera_matrix"].Mark(),
-        "camera_matrix.data: fx, 0, cx, 0, fy, cy, 0, 0, 1 in pixels expected");
-  camera.fx_px = k[0];
-  camera.cx_px = k[2];
-  camera.fy_px = k[4];
-  camera.cy_px = k[5];
+std::optional<CameraModel> read_camera(const Reader& reader, const Keys& keys) {
+  const int width_px = reader.side(keys.width), height_px = reader.side(keys.height);
+  const auto values = reader.numbers(keys.matrix, 9);
+  if (width_px == 0 || height_px == 0 || !values) return std::nullopt;
+  std::array<double, 9> matrix{};
+  std::copy(values->begin(), values->end(), matrix.begin());
+  const auto faults = faults_of_matrix(width_px, height_px, matrix);
+  for (const auto& fault : faults)
+    reader.fault(keys.matrix, fmt::format("{}: {}", keys.matrix, fault));
+  if (!faults.empty()) return std::nullopt;
+  return camera_of_matrix(width_px, height_px, matrix);
+}
+
+std::optional<Lens> read_lens(const Reader& reader, const Keys& keys) {
+  std::vector<double> coefficients;
+  if (const YAML::Node node = reader.document[keys.coefficients]; node && !node.IsNull()) {
+    const auto values = reader.numbers(keys.coefficients, 0);
+    if (!values) return std::nullopt;
+    coefficients = *values;
+  }
+  const YAML::Node model = reader.document["distortion_model"];
+  try {
+    return lens_of(model && model.IsScalar() ? model.Scalar() : "", coefficients);
+  } catch (const std::invalid_argument& error) {
+    reader.fault(keys.coefficients, error.what());
+    return std::nullopt;
+  }
 }
 
 }  // namespace
 
-Calibration load_calibration(const std::string& file) {
+CameraWithLens load_calibration(const std::string& file) {
   Faults faults(file);
   const YAML::Node document = load_yaml(file);
-  Calibration calibration;
   if (!document.IsMap()) {
     faults.add(document.Mark(), "a camera calibration expected (image_width, camera_matrix, ...)");
     faults.throw_if_any();
   }
   const Reader reader{document, faults};
-  read_camera(reader, calibration.camera);
-  try {
-    const YAML::Node model = document["distortion_model"];
-    const bool distorted = static_cast<bool>(document["distortion_coefficients"]);
-    calibration.lens =
-        lens_of(model && model.IsScalar() ? model.Scalar() : "",
-                distorted ? reader.matrix("distortion_coefficients", 0) : std::vector<double>());
-  } catch (const std::invalid_argument& error) {
-    faults.add(document["distortion_coefficients"] ? document["distortion_coefficients"].Mark()
-                                                   : document.Mark(),
-               error.what());
-  }
+  const Keys& keys = document["k"] && !document["camera_matrix"] ? kMessageKeys : kFileKeys;
+  const auto camera = read_camera(reader, keys);
+  const auto lens = read_lens(reader, keys);
   faults.throw_if_any();
-  return calibration;
+  const CameraWithLens result{*camera, *lens};
+  if (const std::string fault = fault_of(result); !fault.empty())
+    reader.fault(keys.matrix, fmt::format("{}: {}", keys.matrix, fault));
+  faults.throw_if_any();
+  return result;
+}
+
+std::string describe(const CameraWithLens& c) {
+  return fmt::format("{} × {} px, {:.0f}° × {:.0f}° of view", c.camera.width_px, c.camera.height_px,
+                     deg(c.horizontal_view_rad()), deg(c.vertical_view_rad()));
 }
 
 }  // namespace foretrack

@@ -58,7 +58,7 @@ class VideoSource : public FrameSource {
       if (read_ == 0) throw std::runtime_error(file_ + ": no frame can be read from this video");
       return std::nullopt;
     }
-    return Frame{read_++ / rate_hz_, "", rgb_of(frame_, file_)};
+    return Frame{stamp_s(), "", rgb_of(frame_, file_)};
   }
   int count() const override {
     return std::max(0, static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_COUNT)));
@@ -66,10 +66,22 @@ class VideoSource : public FrameSource {
   double rate_hz() const override { return rate_hz_; }
 
  private:
+  // The frame's own: rates vary. From the rate where the file has none, or they do not increase.
+  double stamp_s() {
+    const double said_s = 1e-3 * capture_.get(cv::CAP_PROP_POS_MSEC);
+    if (read_++ == 0) {
+      first_s_ = said_s;
+      return last_s_ = 0.0;
+    }
+    const double since_s = said_s - first_s_;
+    return last_s_ = since_s > last_s_ ? since_s : last_s_ + 1.0 / rate_hz_;
+  }
+
   std::string file_;
   cv::VideoCapture capture_;
   cv::Mat frame_;
   double rate_hz_ = 0.0;
+  double first_s_ = 0.0, last_s_ = 0.0;
   int read_ = 0;
 };
 

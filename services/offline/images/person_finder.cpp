@@ -5,12 +5,13 @@
 
 #include <stdexcept>
 
+#include "core/perception/undistort_person.hpp"
 #include "core/perception/watch_others.hpp"
 
 namespace foretrack {
 
 PersonFinder::PersonFinder(PoseNetwork network, const PerceptionParams& params,
-                           std::optional<Calibration> calibration)
+                           std::optional<CameraWithLens> calibration)
     : network_(std::move(network)), params_(params), calibration_(std::move(calibration)) {}
 
 SeenFrame PersonFinder::look(const Frame& picture) {

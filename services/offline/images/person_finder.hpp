@@ -12,7 +12,7 @@ class PersonFinder {
  public:
   /// Without a calibration, people have no place in the camera's frame.
   PersonFinder(PoseNetwork network, const PerceptionParams& params,
-               std::optional<Calibration> calibration);
+               std::optional<CameraWithLens> calibration);
 
   /// Everybody in a picture that stands alone.
   SeenFrame look(const Frame& picture);
@@ -28,7 +28,7 @@ class PersonFinder {
 
   PoseNetwork network_;
   PerceptionParams params_;
-  std::optional<Calibration> calibration_;
+  std::optional<CameraWithLens> calibration_;
   PoseState state_;
   bool ambiguous_ = false;
 };

@@ -17,7 +17,7 @@ constexpr auto convert = [](auto&& message) {
 const Fault kNoPose{"odometry", "no odometry of the image's stamp"};
 constexpr double kMapPeriod_s = 0.1;
 constexpr double kOthersPeriod_s = 1.0;
-constexpr double kWatchPeriod_s = 0.5;
+constexpr double kWatchPeriod_s = 0.1;
 constexpr double kJitter_s = 0.02;  // of the images: 10 Hz out of 15 Hz is every second one or so
 
 }  // namespace
@@ -31,27 +31,20 @@ MappingService::MappingService(Service& service, const MappingParams& params)
       image_(service.node()),
       info_(service.node()),
       bodies_reader_(service.node()),
-      mount_(service.node()),
+      transforms_(service),
+      mount_(service, service.options().depth_mount, transforms_),
       map_(service.node()),
       sightings_(service.node()),
       octree_(service.node()),
       points_(service.node()) {
   Loop& loop = service.loop();
-  loop.on_newest(mount_, [this](const auto& message) { take_mount(message); });
-  loop.on_newest(
-      info_, [this](const auto& message) { return from_idl(message, T_body_camera_); },
-      [this](const CameraModel& camera) { camera_ = camera; });
+  loop.on_newest(info_, convert, [this](const CameraWithLens& camera) {
+    if (!camera_ || !camera_->is(camera)) camera_.emplace(camera);
+  });
   loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) { bodies_ = bodies; });
   loop.on_newest(image_, [this](const auto& message) { take(message); });
   loop.every(kOthersPeriod_s, [this] { publish_for_others(); });
   loop.every(kWatchPeriod_s, [this] { watch(); });
-}
-
-void MappingService::take_mount(const tf2_msgs::msg::TFMessage& message) {
-  const auto mount = mount_of(message, kCameraFrame);
-  if (!mount) return;
-  T_body_camera_ = *mount;
-  if (camera_) camera_->T_body_camera = *mount;
 }
 
 void MappingService::take(const sensor_msgs::msg::Image& message) {
@@ -59,20 +52,31 @@ void MappingService::take(const sensor_msgs::msg::Image& message) {
   if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
   if (waiting_) image_.refuse(kNoPose);
   waiting_ = false;
-  auto image = from_idl(message, *camera_, std::move(depth_.depth_m));
+  auto image = camera_->convert(message, std::move(depth_.depth_m));
   if (!image) return image_.refuse(image.fault());
   depth_ = std::move(*image);
+  frame_id_ = message.header().frame_id();
   sight_.look_at_depth(depth_.depth_m);
   waiting_ = true;
   update();
 }
 
-// An image may arrive before the odometry of its stamp.
-void MappingService::update() {
-  if (!waiting_) return;
-  const VehicleState* vehicle = vehicle_.newest();
+// An image may arrive before the odometry and the transforms of its stamp. False: they may come
+// yet.
+bool MappingService::place(const VehicleState* vehicle) {
+  const auto mount = mount_.at(frame_id_, depth_.stamp_s);
   const bool covered = vehicle && vehicle->stamp_s >= depth_.stamp_s;
-  if (!covered && service_.clock().now_s() - arrived_s_ < kPoseWait_s) return;
+  if ((!covered || !mount) && service_.clock().now_s() - arrived_s_ < kPoseWait_s) return false;
+  waiting_ = mount.has_value();
+  if (mount)
+    depth_.camera.T_body_camera = *mount;
+  else
+    image_.refuse(Fault{"mount", mount_.trouble()});
+  return true;
+}
+
+void MappingService::update() {
+  if (!waiting_ || !place(vehicle_.newest()) || !waiting_) return;
   waiting_ = false;
   const auto bodies = bodies_at(depth_.stamp_s, bodies_, params_);
   const auto result = update_map(state_, depth_, vehicle_.history(), bodies, params_);
@@ -103,6 +107,7 @@ void MappingService::publish_for_others() {
 }
 
 void MappingService::watch() {
+  transforms_.update();
   update();
   const double now_s = service_.clock().now_s();
   const bool seeing = now_s - arrived_s_ < params_.image_stale_s;
@@ -112,7 +117,7 @@ void MappingService::watch() {
                                  : !camera_       ? "no camera_info"
                                  : !placed        ? "no odometry"
                                  : !blind.empty() ? blind
-                                                  : "");
+                                                  : mount_.trouble());
 }
 
 void run_mapping(const ServiceOptions& options, const MappingParams& params, Stop& stop) {

@@ -13,22 +13,23 @@
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "sensor_msgs/msg/PointCloud2.h"
+#include "services/convert/depth_reader.hpp"
+#include "services/onboard/camera_mount.hpp"
 #include "services/onboard/camera_sight.hpp"
 #include "services/onboard/inputs.hpp"
-#include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
 
 /// Publishes the local map at up to 10 Hz, stamped with the newest image in it, and what moves at
 /// each image. The octree and the occupied cells are published once a second, while somebody asks
-/// for them. The camera's mount is that of tf_static, or looks along body x.
+/// for them. The camera's mount is that of the image's frame at its stamp: see CameraMount.
 class MappingService {
  public:
   MappingService(Service& service, const MappingParams& params);
 
  private:
   void take(const sensor_msgs::msg::Image& message);
-  void take_mount(const tf2_msgs::msg::TFMessage& message);
+  bool place(const VehicleState* vehicle);
   void update();
   void publish();
   void publish_for_others();
@@ -42,15 +43,16 @@ class MappingService {
   Reader<topics::DepthImage> image_;
   Reader<topics::DepthCameraInfo> info_;
   Reader<topics::MovingBodies> bodies_reader_;
-  Reader<topics::StaticTransforms> mount_;
+  TransformInput transforms_;
+  CameraMount mount_;
   Writer<topics::LocalMap> map_;
   Writer<topics::BodySightings> sightings_;
   Writer<topics::OctoMap> octree_;
   Writer<topics::MapPoints> points_;
-  std::optional<CameraModel> camera_;
-  Pose T_body_camera_ = CameraModel::default_mount();
+  std::optional<DepthReader> camera_;
   MovingBodies bodies_;
   DepthImage depth_;
+  std::string frame_id_;  // of depth_
   bool waiting_ = false;  // depth_ waits for the odometry of its stamp
   double arrived_s_ = -1e9;
   double published_s_ = -1e9;

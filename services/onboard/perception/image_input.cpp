@@ -3,10 +3,13 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/perception/expected_place.hpp"
 #include "core/perception/torso_depth.hpp"
+#include "core/perception/undistort_person.hpp"
 #include "core/perception/watch_others.hpp"
+#include "services/convert/compressed_image.hpp"
 #include "services/convert/geometry.hpp"
 #include "services/convert/image.hpp"
 #include "services/files/models/pose_models.hpp"
@@ -28,34 +31,43 @@ ImageInput::ImageInput(Service& service, const PerceptionParams& params,
       sight_(service, vehicle),
       seen_(std::move(seen)),
       people_seen_(std::move(people)),
-      mount_(service.node()),
+      transforms_(service),
+      mount_(service, service.options().color_mount, transforms_),
       info_(service.node()),
-      image_(service.node()) {
+      image_(service.node()),
+      compressed_(service.node()) {
   Loop& loop = service.loop();
-  loop.on_newest(mount_, [this](const auto& message) { take_mount(message); });
   loop.on_newest(
-      info_, [this](const auto& message) { return lens_from_idl(message, T_body_camera_); },
+      info_, [](const sensor_msgs::msg::CameraInfo& message) { return from_idl(message); },
       [this](const CameraWithLens& camera) { camera_ = camera; });
-  loop.on_newest(image_, [this](const auto& message) { take(message); });
+  loop.on_newest(image_, [this](const auto& message) { take(message, image_); });
+  // A driver that writes both kinds: the plain ones are enough.
+  loop.on_newest(compressed_, [this](const auto& message) {
+    if (image_.writers() == 0) take(message, compressed_);
+  });
 }
 
-void ImageInput::take_mount(const tf2_msgs::msg::TFMessage& message) {
-  const auto mount = mount_of(message, kCameraFrame);
-  if (!mount) return;
-  T_body_camera_ = *mount;
-  if (camera_) camera_->camera.T_body_camera = *mount;
-}
-
-void ImageInput::take(const sensor_msgs::msg::Image& message) {
+template <class Message, class Topic>
+void ImageInput::take(const Message& message, Reader<Topic>& reader) {
   const double stamp_s = seconds(message.header().stamp());
-  if (service_.clock().now_s() - stamp_s > params_.image_stale_s) return image_.reject("late");
-  sight_.look_at_color(message.data());
-  if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
-  if (!load_network()) return image_.reject("no pose network");
+  if (service_.clock().now_s() - stamp_s > params_.image_stale_s) return reader.reject("late");
+  if constexpr (std::is_same_v<Message, sensor_msgs::msg::Image>)
+    sight_.look_at_color(message.data());
+  if (!camera_) return reader.refuse(Fault{"camera_info", "no camera_info came yet"});
+  if (!load_network()) return reader.reject("no pose network");
   auto image = rgb_from_idl(message, camera_->camera, std::move(rgb_.rgb));
-  if (!image) return image_.refuse(image.fault());
+  if (!image) return reader.refuse(image.fault());
   rgb_ = std::move(*image);
-  look(stamp_s);
+  if constexpr (!std::is_same_v<Message, sensor_msgs::msg::Image>) sight_.look_at_color(rgb_.rgb);
+  if (!place(message.header().frame_id(), stamp_s))
+    return reader.refuse(Fault{"mount", mount_.trouble()});
+  look(message.header().frame_id(), stamp_s);
+}
+
+bool ImageInput::place(const std::string& frame_id, double stamp_s) {
+  const auto mount = mount_.at(frame_id, stamp_s);
+  if (mount) camera_->camera.T_body_camera = *mount;
+  return mount.has_value();
 }
 
 bool ImageInput::load_network() {
@@ -75,11 +87,12 @@ bool ImageInput::load_network() {
   return network_.has_value();
 }
 
-void ImageInput::look(double stamp_s) {
+void ImageInput::look(const std::string& frame_id, double stamp_s) {
   const auto expected =
       expected_place(track_, vehicle_.history(), camera_->camera, stamp_s, params_);
   PoseResult result = perceive_image(pose_, rgb_, stamp_s, *network_, params_, expected);
   if (result.ambiguous) ambiguous_s_ = stamp_s;
+  place(frame_id, stamp_s);  // once more: a joint's transform of this time may have come meanwhile
   Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN()};
   if (result.found()) {
     undistort(result.person, camera_->camera, camera_->lens);
@@ -98,12 +111,12 @@ void ImageInput::look(double stamp_s) {
 
 double ImageInput::torso_depth_m(const TargetObservation& observation) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (const auto camera = depth_info_->take_newest_as(
-          [this](const auto& message) { return from_idl(message, T_body_camera_); }))
-    depth_camera_ = *camera;
+  const auto camera = depth_info_->take_newest_as(
+      [](const sensor_msgs::msg::CameraInfo& message) { return from_idl(message); });
+  if (camera && (!depth_camera_ || !depth_camera_->is(*camera))) depth_camera_.emplace(*camera);
   if (!depth_camera_) return kNone;
   auto depth = depth_image_->take_newest_as([this](const sensor_msgs::msg::Image& message) {
-    return from_idl(message, *depth_camera_, std::move(depth_.depth_m));
+    return depth_camera_->convert(message, std::move(depth_.depth_m));
   });
   if (depth) depth_ = std::move(*depth);
   if (std::abs(depth_.stamp_s - observation.stamp_s) > params_.same_instant_s) return kNone;

@@ -9,11 +9,13 @@
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sight_people.hpp"
 #include "sensor_msgs/msg/CameraInfo.h"
+#include "sensor_msgs/msg/CompressedImage.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/convert/color_image.hpp"
+#include "services/convert/depth_reader.hpp"
+#include "services/onboard/camera_mount.hpp"
 #include "services/onboard/camera_sight.hpp"
 #include "services/onboard/inputs.hpp"
-#include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
 
@@ -38,16 +40,21 @@ class ImageInput {
 
   /// Why images are of no use now; empty: they are, or none come.
   const std::string& trouble() const { return trouble_; }
+  /// Why it is a guess where the camera sits; empty: it is known, or no images come.
+  const std::string& mount_trouble() const { return mount_.trouble(); }
+  /// Transforms come between images, too.
+  void update() { transforms_.update(); }
   /// Whether the images still show something, and why not.
   const CameraSight& sight() const { return sight_; }
   /// When several people could last have been the one who is followed; by the image's stamp.
   double ambiguous_s() const { return ambiguous_s_; }
 
  private:
-  void take_mount(const tf2_msgs::msg::TFMessage& message);
-  void take(const sensor_msgs::msg::Image& message);
+  template <class Message, class Topic>
+  void take(const Message& message, Reader<Topic>& reader);
   bool load_network();
-  void look(double stamp_s);
+  bool place(const std::string& frame_id, double stamp_s);
+  void look(const std::string& frame_id, double stamp_s);
   double torso_depth_m(const TargetObservation& observation);
 
   Service& service_;
@@ -57,15 +64,16 @@ class ImageInput {
   CameraSight sight_;
   OnSeen seen_;
   OnPeople people_seen_;
-  Reader<topics::StaticTransforms> mount_;
+  TransformInput transforms_;
+  CameraMount mount_;
   Reader<topics::ColorCameraInfo> info_;
   Reader<topics::ColorImage> image_;
+  Reader<topics::ColorImageCompressed> compressed_;
   // Only where there are colour images: depth images are big.
   std::optional<Reader<topics::DepthCameraInfo>> depth_info_;
   std::optional<Reader<topics::DepthImage>> depth_image_;
-  Pose T_body_camera_ = CameraModel::default_mount();
   std::optional<CameraWithLens> camera_;
-  std::optional<CameraModel> depth_camera_;
+  std::optional<DepthReader> depth_camera_;
   std::optional<PoseNetwork> network_;
   PoseState pose_;
   RgbImage rgb_;

@@ -99,6 +99,7 @@ void PerceptionService::perceive_waiting() {
 }
 
 void PerceptionService::coast_if_silent() {
+  images_.update();
   perceive_waiting();
   const double now_s = service_.clock().now_s();
   const bool seeing = vehicle_.age_s(now_s) < params_.vehicle_stale_s;
@@ -108,7 +109,7 @@ void PerceptionService::coast_if_silent() {
                                  : !blind.empty()             ? blind
                                  : !images_.trouble().empty() ? images_.trouble()
                                  : doubtful                   ? kAmbiguous
-                                                              : "");
+                                                              : images_.mount_trouble());
   if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
     state_ = {};
     bodies_state_ = {};

@@ -11,6 +11,7 @@
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
 #include "services/convert/safety.hpp"
+#include "services/convert/search.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/trajectory.hpp"
 #include "services/convert/visual.hpp"
@@ -24,6 +25,7 @@ constexpr auto convert = [](auto&& message) {
 };
 
 constexpr double kWatchPeriod_s = 0.01;
+constexpr double kSearchPeriod_s = 0.2;
 
 // Ids go on growing when the service is started anew.
 std::uint64_t first_id() {
@@ -43,6 +45,7 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
       bodies_reader_(service.node()),
       gate_reader_(service.node()),
       plan_(service.node()),
+      search_(service.node()),
       path_(service.node()),
       markers_(service.node()) {
   state_.clock_s = steady_s;
@@ -106,6 +109,16 @@ void PlanningService::replan() {
   const PlanInput input = gather(now_s);
   service_.health().set_degraded(missing(input));
   publish(plan(state_, input, params_));
+  tell_search();
+}
+
+void PlanningService::tell_search() {
+  const double now_s = service_.clock().now_s();
+  if (std::abs(now_s - search_told_s_) < kSearchPeriod_s) return;
+  search_told_s_ = now_s;
+  summarize(state_.search, now_s, params_, summary_);
+  to_idl(summary_, search_.sample());
+  search_.write();
 }
 
 void PlanningService::publish(const PlanResult& result) {

@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "core/planning/plan.hpp"
+#include "core/planning/search/search_summary.hpp"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
 #include "foretrack_msgs/msg/SafetyState.h"
 #include "foretrack_msgs/msg/TargetIntention.h"
 #include "foretrack_msgs/msg/TargetPrediction.h"
+#include "foretrack_msgs/msg/TargetSearch.h"
 #include "foretrack_msgs/msg/TargetState.h"
 #include "nav_msgs/msg/Path.h"
 #include "services/onboard/inputs.hpp"
@@ -31,6 +33,7 @@ class PlanningService {
   PlanInput gather(double now_s) const;
   std::string missing(const PlanInput& input) const;
   void publish(const PlanResult& result);
+  void tell_search();
   void draw(const PlannedTrajectory& plan);
 
   Service& service_;
@@ -44,6 +47,7 @@ class PlanningService {
   Reader<topics::MovingBodies> bodies_reader_;
   Reader<topics::SafetyState> gate_reader_;
   Writer<topics::PlannedTrajectory> plan_;
+  Writer<topics::TargetSearch> search_;
   Writer<topics::PlanPath> path_;
   Writer<topics::Markers> markers_;
   GridMap map_;
@@ -53,6 +57,8 @@ class PlanningService {
   std::optional<MovingBodies> bodies_;
   bool flies_plans_ = true;  // until a gate says otherwise
   double planned_s_ = -1e9;
+  double search_told_s_ = -1e9;
+  SearchSummary summary_;
   DrawingPace drawing_;
 };
 

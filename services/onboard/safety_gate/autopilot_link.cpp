@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/safety_gate/autopilot_link.hpp"
 
+#include <fmt/format.h>
+
+#include <vector>
+
 #include "core/safety/command_of.hpp"
+#include "services/common/px4_releases.hpp"
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
@@ -16,6 +21,7 @@ constexpr auto convert = [](auto&& message) {
 
 constexpr std::size_t kMaxAcks = 8;
 constexpr double kOneWriterSilence_s = 2.0;
+constexpr double kLook_s = 1.0;
 
 }  // namespace
 
@@ -45,6 +51,22 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
     sticks_moved_ |= sticks_moved(m);
   });
   loop.on_newest(battery_reader_, convert, [this](const BatteryState& b) { battery_ = b; });
+  loop.every_wall(kLook_s, [this] { look_at_release(); });
+}
+
+void AutopilotLink::look_at_release() {
+  const Names& names = service_.node().options().names;
+  std::vector<std::string> topics;
+  for (const auto& endpoint : service_.node().endpoints())
+    if (endpoint.writes) topics.push_back(endpoint.topic);
+  const auto expected = names.px4_release.empty() ? kPx4ReleaseOfIdl : names.px4_release;
+  const auto spoken = px4_release_of(topics, names.px4_namespace);
+  other_release_ = spoken.empty() || spoken == expected
+                       ? ""
+                       : fmt::format(
+                             "the flight controller speaks as PX4 {0} does, {1} is expected: "
+                             "start with --px4 {0}",
+                             spoken, expected);
 }
 
 // Others command the flight controller, too, and their answers come here as well.

@@ -29,10 +29,14 @@ class AutopilotLink {
   void send(const GateResult& result, double stamp_s);
 
   const AutopilotStatus& status() const { return status_; }
+  /// That it speaks as another release of PX4 than is expected, so that some of it is not heard,
+  /// and some misread; empty: it does not.
+  const std::string& other_release() const { return other_release_; }
   /// Why it would refuse offboard mode; empty: nothing is known to hinder it.
   std::string hindrance() const { return status_.offboard ? "" : hindrance_; }
 
  private:
+  void look_at_release();
   void hear_answer(const px4_msgs::msg::VehicleCommandAck& message);
 
   Service& service_;
@@ -48,7 +52,7 @@ class AutopilotLink {
   AutopilotStatus status_;
   double status_at_s_ = -1.0;  // by arrival
   bool sticks_moved_ = false;
-  std::string hindrance_;
+  std::string hindrance_, other_release_;
   bool silence_alone_ = false;  // is what its failsafe can act for
   std::optional<BatteryState> battery_;
   AutopilotRequest asked_ = AutopilotRequest::kNone;  // by the command that was written last

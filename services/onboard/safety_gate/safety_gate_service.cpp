@@ -208,9 +208,10 @@ void SafetyGateService::publish(const GateResult& result) {
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;
-  service_.health().set_degraded(!report.alarm.empty() ? report.alarm
-                                 : silent              ? std::string(to_string(result.reason))
-                                                       : "");
+  service_.health().set_degraded(!report.alarm.empty()                 ? report.alarm
+                                 : !autopilot_.other_release().empty() ? autopilot_.other_release()
+                                 : silent ? std::string(to_string(result.reason))
+                                          : "");
 }
 
 void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {

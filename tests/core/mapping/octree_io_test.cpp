@@ -116,11 +116,33 @@ TEST(OctreeIo, BrokenBytesAreRefusedAtEveryLength) {
   EXPECT_THROW(octree_from_bytes(bytes, 0.0), std::invalid_argument);
 }
 
+TEST(OctreeIo, FullTreesAreReadAndBrokenOnesRefusedAtEveryLength) {
+  const octomap::OcTree tree = random_tree(7);
+  const TemporaryFile file;
+  std::ostringstream nodes;
+  tree.writeData(nodes);
+  const auto write = [&](const std::string& bytes) {
+    std::ofstream(file.path, std::ios::binary)
+        << "# Octomap OcTree file\nid OcTree\nsize " << tree.size() << "\nres "
+        << tree.getResolution() << "\ndata\n"
+        << bytes;
+  };
+  const std::string whole = nodes.str();
+  write(whole);
+  EXPECT_EQ(read_octree(file.path)->size(), tree.size());
+  for (std::size_t size = 1; size < whole.size(); size += 1 + whole.size() / 97) {
+    write(whole.substr(0, size));
+    EXPECT_THROW(read_octree(file.path), std::invalid_argument) << size;
+  }
+  write(whole + "x");
+  EXPECT_THROW(read_octree(file.path), std::invalid_argument);
+}
+
 TEST(OctreeIo, BadFilesAreRefusedByName) {
   EXPECT_THAT(error_of("/no/such/map.bt"), HasSubstr("/no/such/map.bt: cannot be opened"));
   TemporaryFile file;
   file.write("solid stl");
-  EXPECT_THAT(error_of(file.path), HasSubstr("is not an OctoMap binary file"));
+  EXPECT_THAT(error_of(file.path), HasSubstr("is not an OctoMap file"));
   file.write("# Octomap OcTree binary file\nid ColorOcTree\nsize 1\nres 0.1\ndata\n");
   EXPECT_THAT(error_of(file.path), HasSubstr("'ColorOcTree'"));
   file.write("# Octomap OcTree binary file\nid OcTree\nsize 1\ndata\n");

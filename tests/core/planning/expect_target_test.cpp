@@ -64,15 +64,6 @@ TEST(ExpectTarget, ASearchEnds) {
             PlanReason::kTargetLost);
 }
 
-TEST(ExpectTarget, TheCameraOfASearchTurnsToWhereTheyWereGoing) {
-  for (const double side : {1.0, -1.0}) {
-    Watch watch({0.0, side, 0.0});
-    watch.see(TrackStatus::kTracking, 5.0);
-    watch.see(TrackStatus::kLost, 5.1);
-    EXPECT_EQ(watch.state.search_turn, side);
-  }
-}
-
 TEST(ExpectTarget, ANumberThatIsNoneIsNobody) {
   Watch watch;
   watch.see(TrackStatus::kTracking, 5.0);

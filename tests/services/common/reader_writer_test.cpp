@@ -6,6 +6,10 @@
 #include "diagnostic_msgs/msg/DiagnosticArray.h"
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/TargetState.h"
+#include "nav_msgs/msg/Odometry.h"
+#include "px4_msgs/msg/VehicleStatus.h"
+#include "services/common/px4_releases.hpp"
+#include "services/common/raw.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
 #include "services/common/writer.hpp"
@@ -256,6 +260,59 @@ TEST(Writer, KeepsVehiclesApart) {
   Reader<topics::Diagnostics> shared_in(receiver);
   ASSERT_TRUE(eventually([&] { return shared_out.readers() == 1; }));
   EXPECT_EQ(for_uav2.readers(), 0);
+}
+
+// mavros and many drivers are best effort.
+TEST(ReaderWriter, BestEffortDriversAreHeardBesideReliableOnes) {
+  Node node(node_options("reader"));
+  Reader<topics::Odometry> reader(node);
+  RawPeer peer("rt/uav1/odometry", "nav_msgs::msg::dds_::Odometry_");
+  nav_msgs::msg::Odometry odometry;
+  odometry.child_frame_id("base_link");
+  odometry.header().stamp().sec(7);
+  auto bytes = to_cdr(type_ops<nav_msgs::msg::Odometry>(), &odometry);
+  RawType::Bytes raw(bytes.begin(), bytes.end());
+  auto* best_effort = peer.add_writer(dds::BEST_EFFORT_RELIABILITY_QOS);
+  EXPECT_TRUE(eventually([&] {
+    best_effort->write(&raw);
+    return reader.take_newest() != nullptr;
+  }));
+  Writer<topics::Odometry> reliable(node);
+  EXPECT_TRUE(eventually([&] {
+    reliable.sample().header().stamp().sec(8);
+    reliable.write();
+    const auto* got = reader.take_newest();
+    return got && got->header().stamp().sec() == 8;
+  }));
+}
+
+TEST(ReaderWriter, MessagesOfPx4HaveTheLayoutOfTheRelease) {
+  NodeOptions of_release = node_options("px4");
+  of_release.names.px4_release = "1.18";
+  Node node(of_release), other(of_release), raw_node(node_options("raw"));
+  Writer<topics::Px4VehicleStatus> writer(node);
+  Reader<topics::Px4VehicleStatus> reader(other);
+  RawReader raw(raw_node, {writer.stats().topic, "px4_msgs::msg::dds_::VehicleStatus_", false},
+                "sensor");
+  EXPECT_EQ(writer.stats().topic, "rt/fmu/out/vehicle_status_v4");
+  auto& sent = writer.sample();
+  sent.nav_state(14);
+  sent.failsafe(true);
+  sent.system_id(42);
+  sent.pre_flight_checks_pass(true);
+  px4_msgs::msg::VehicleStatus got;
+  CdrBytes bytes;
+  ASSERT_TRUE(eventually([&] {
+    writer.write();
+    if (const auto* sample = reader.take_newest()) got = *sample;
+    raw.take(bytes);
+    return got.system_id() == 42 && !bytes.empty();
+  }));
+  EXPECT_EQ(got, sent);
+  const auto layout = px4_layout_of("px4_msgs::msg::dds_::VehicleStatus_", "1.18");
+  EXPECT_EQ(bytes.size(), 4 + layout.bytes);
+  for (const auto& field : layout.fields)
+    if (field.name == "nav_state") EXPECT_EQ(bytes[4 + field.at], 14);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(ColorImageMessage, NamesWhatItRefuses) {
     const auto out = rgb_from_idl(in, camera());
     return out ? std::string("none") : std::string(out.fault().field);
   };
-  EXPECT_EQ(fault([](ImageMsg& m) { m.encoding("yuv422"); }), "encoding");
+  EXPECT_EQ(fault([](ImageMsg& m) { m.encoding("bayer_rggb8"); }), "encoding");
   EXPECT_EQ(fault([](ImageMsg& m) { m.encoding(""); }), "encoding");
   EXPECT_EQ(fault([](ImageMsg& m) { m.width(5); }), "width");
   EXPECT_EQ(fault([](ImageMsg& m) { m.height(0); }), "height");
@@ -84,17 +84,43 @@ TEST(ColorImageMessage, NoBytesLeadOutsideOrCrash) {
   }
 }
 
-TEST(LensMessage, ReadsLensesAndRefusesUnknownOnes) {
-  sensor_msgs::msg::CameraInfo info;
-  to_idl(camera(), 1.0, info);
-  EXPECT_FALSE(lens_from_idl(info, Pose::Identity())->lens.distorts());
-  info.d({-0.3, 0.1, 0.0, 0.0, 0.0});
-  const auto out = lens_from_idl(info, Pose::Identity());
-  ASSERT_TRUE(out);
-  EXPECT_TRUE(out->lens.distorts());
-  EXPECT_EQ(out->camera.width_px, 4);
-  info.distortion_model("origami");
-  EXPECT_EQ(lens_from_idl(info, Pose::Identity()).fault().field, "distortion");
+// One colour a row of each: red, green, grey.
+TEST(ColorImageMessage, ReadsWhatCamerasWrite) {
+  struct Case {
+    const char* encoding;
+    std::vector<std::uint8_t> red, grey;  // two pixels
+  };
+  const std::vector<Case> cases = {
+      {"rgba8", {255, 0, 0, 9, 255, 0, 0, 9}, {90, 90, 90, 9, 90, 90, 90, 9}},
+      {"bgra8", {0, 0, 255, 9, 0, 0, 255, 9}, {90, 90, 90, 9, 90, 90, 90, 9}},
+      {"yuv422", {90, 81, 240, 81}, {128, 93, 128, 93}},
+      {"yuv422_yuy2", {81, 90, 81, 240}, {93, 128, 93, 128}}};
+  for (const Case& c : cases) {
+    ImageMsg in = message();
+    in.encoding(c.encoding);
+    in.step(static_cast<std::uint32_t>(2 * c.red.size()));
+    in.data().clear();
+    for (const auto* pixels : {&c.red, &c.red, &c.grey, &c.grey, &c.red, &c.red})
+      in.data().insert(in.data().end(), pixels->begin(), pixels->end());
+    const auto out = rgb_from_idl(in, camera());
+    ASSERT_TRUE(out) << out.fault().text;
+    for (int column = 0; column < 4; ++column) {
+      EXPECT_NEAR(out->pixel(column, 0)[0], 255, 2) << c.encoding;
+      EXPECT_NEAR(out->pixel(column, 0)[1], 0, 2) << c.encoding;
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(out->pixel(column, 1)[k], 90, 1) << c.encoding;
+    }
+  }
+}
+
+TEST(ColorImageMessage, SixteenBitsOfGreyAreLittleEndian) {
+  ImageMsg in = message();
+  in.encoding("mono16");
+  in.step(8);
+  in.data().assign(24, 0);
+  in.data()[1] = 200;
+  EXPECT_EQ(rgb_from_idl(in, camera())->pixel(0, 0)[2], 200);
+  in.is_bigendian(1);
+  EXPECT_EQ(rgb_from_idl(in, camera()).fault().field, "is_bigendian");
 }
 
 }  // namespace

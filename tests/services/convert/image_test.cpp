@@ -11,7 +11,6 @@ namespace {
 using testing::kInf;
 using testing::kNaN;
 using ImageMsg = sensor_msgs::msg::Image;
-using InfoMsg = sensor_msgs::msg::CameraInfo;
 
 CameraModel camera() {
   return CameraModel::from_fov(4, 3, rad(90), rad(75));
@@ -91,35 +90,15 @@ TEST(DepthImageMessage, RefusesEachBadField) {
                                   [](const M& m) { return from_idl(m, camera()); });
 }
 
-TEST(CameraInfoMessage, RoundTripsWithTheMountGivenBeside) {
-  InfoMsg msg;
-  to_idl(camera(), 1.0, msg);
-  const auto out = from_idl(msg, CameraModel::default_mount());
+TEST(DepthImageMessage, Mono16IsMillimetresToo) {
+  ImageMsg msg = message();
+  msg.encoding("mono16");
+  msg.step(8);
+  msg.data().assign(24, 0);
+  msg.data()[0] = 0xE8, msg.data()[1] = 0x03;
+  const auto out = from_idl(msg, camera());
   ASSERT_TRUE(out) << out.fault().text;
-  EXPECT_EQ(out->width_px, 4);
-  EXPECT_EQ(out->fx_px, camera().fx_px);
-  EXPECT_EQ(out->fy_px, camera().fy_px);
-  EXPECT_EQ(out->cx_px, camera().cx_px);
-  EXPECT_EQ(out->cy_px, camera().cy_px);
-  EXPECT_TRUE(out->T_body_camera.isApprox(CameraModel::default_mount()));
-}
-
-TEST(CameraInfoMessage, RefusesEachBadField) {
-  using M = InfoMsg;
-  M good;
-  to_idl(camera(), 1.0, good);
-  testing::expect_each_refused<M>(
-      good,
-      {
-          {"header.stamp", [](M& m) { m.header().stamp().nanosec(~0u); }},
-          {"width", [](M& m) { m.width(0); }},
-          {"height", [](M& m) { m.height(1'000'000); }},
-          {"k[0]", [](M& m) { m.k()[0] = 0.0; }},
-          {"k[4]", [](M& m) { m.k()[4] = kNaN; }},
-          {"k[2]", [](M& m) { m.k()[2] = kInf; }},
-          {"d", [](M& m) { m.d()[0] = 0.1; }},
-      },
-      [](const M& m) { return from_idl(m, CameraModel::default_mount()); });
+  EXPECT_FLOAT_EQ(out->depth_m[0], 1.0F);
 }
 
 }  // namespace

@@ -65,13 +65,40 @@ TEST(OdometryMessage, RefusesEachBadField) {
       [](const M& m) { return from_idl(m); });
 }
 
-TEST(TransformMessage, MapToBodyIsTheVehiclesPose) {
-  tf2_msgs::msg::TFMessage msg;
-  to_transform(state(), msg);
-  ASSERT_EQ(msg.transforms().size(), 1u);
-  EXPECT_EQ(msg.transforms()[0].header().frame_id(), kWorldFrame);
-  EXPECT_EQ(msg.transforms()[0].child_frame_id(), kBodyFrame);
-  EXPECT_EQ(msg.transforms()[0].transform().translation().y(), 2.0);
+TEST(OdometryMessage, OfAnotherFrameIsBroughtIntoTheMap) {
+  M msg = message();
+  msg.header().frame_id("odom");
+  OdometryFrames frames;
+  frames.is_map = true;
+  EXPECT_EQ(from_idl(msg, frames)->position_enu_m, Vec3(1, 2, 3));
+  frames.is_map = false;
+  frames.in_map = [](const std::string& frame, double stamp_s, std::string& why) {
+    why = "no transform of 'odom' is known";
+    Pose pose = Pose::Identity();
+    pose.translation() = Vec3(10, 0, 0);
+    pose.linear() = Eigen::AngleAxisd(kPi / 2.0, Vec3::UnitZ()).toRotationMatrix();
+    return frame == "odom" && stamp_s == 1.5 ? std::optional(pose) : std::nullopt;
+  };
+  const auto out = from_idl(msg, frames);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_TRUE(out->position_enu_m.isApprox(Vec3(8, 1, 3), 1e-12));
+  EXPECT_TRUE(out->velocity_enu_m_s.isApprox(Vec3(1.0, 0.5, 0.25), 1e-12));
+  EXPECT_NEAR(out->yaw_rad(), kPi, 1e-9);
+  msg.header().frame_id("world");
+  const auto refused = from_idl(msg, frames);
+  EXPECT_EQ(refused.fault().field, "header.frame_id");
+  EXPECT_EQ(refused.fault().text,
+            "header.frame_id is 'world', expected 'map', a transform map -> world (no transform of "
+            "'odom' is known), or --odometry-is-map");
+}
+
+TEST(OdometryMessage, TheBodyMayHaveAnotherName) {
+  M msg = message();
+  msg.child_frame_id("drone/fcu");
+  EXPECT_EQ(from_idl(msg).fault().text, "child_frame_id is 'drone/fcu', expected 'base_link'");
+  OdometryFrames frames;
+  frames.body = "fcu";
+  EXPECT_TRUE(from_idl(msg, frames));
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lz4frame.h>
 
 #include <fstream>
 
 #include "services/ground_station/mcap/reader.hpp"
 #include "services/ground_station/recording/recorder.hpp"
 #include "services/ground_station/recording/recover.hpp"
+#include "services/ground_station/recording/replay.hpp"
+#include "tests/fuzz/mutate.hpp"
 #include "tests/support/folder.hpp"
 
 namespace foretrack::station::mcap {
@@ -66,6 +70,102 @@ TEST(Mcap, ReadsBackWhatItWrote) {
   EXPECT_EQ(reader.channels().at(2).topic, "/b");
   EXPECT_EQ(reader.channels().at(2).schema, "int32 x");
   EXPECT_EQ(reader.metadata().at("versions").at("dds"), "2");
+}
+
+// As rosbag2 writes them: LZ4 chunks.
+Bytes compressed_by_lz4(const Bytes& records) {
+  Bytes file(std::begin(kMagic), std::end(kMagic));
+  Encoder out(file);
+  out.begin(Op::kHeader);
+  out.string("ros2");
+  out.string("test");
+  out.end();
+  Bytes packed(LZ4F_compressFrameBound(records.size(), nullptr));
+  packed.resize(
+      LZ4F_compressFrame(packed.data(), packed.size(), records.data(), records.size(), nullptr));
+  out.begin(Op::kChunk);
+  out.u64(0);
+  out.u64(0);
+  out.u64(records.size());
+  out.u32(crc32(0, records));
+  out.string("lz4");
+  out.u64(packed.size());
+  out.bytes(packed);
+  out.end();
+  out.begin(Op::kDataEnd);
+  out.u32(0);
+  out.end();
+  return file;
+}
+
+Bytes some_records(int messages) {
+  Bytes records;
+  Encoder out(records);
+  out.begin(Op::kSchema);
+  out.u16(1);
+  out.string("nav_msgs/msg/Odometry");
+  out.string("ros2msg");
+  out.string("");
+  out.end();
+  out.begin(Op::kChannel);
+  out.u16(1);
+  out.u16(1);
+  out.string("/odom");
+  out.string("cdr");
+  out.strings({{"offered_qos_profiles", "- reliability: 2"}});
+  out.end();
+  for (int i = 0; i < messages; ++i) {
+    out.begin(Op::kMessage);
+    out.u16(1);
+    out.u32(0);
+    out.u64(1000u + static_cast<std::uint64_t>(i));
+    out.u64(0);
+    out.bytes(text("message " + std::to_string(i) + std::string(100, 'x')));
+    out.end();
+  }
+  return records;
+}
+
+TEST(Mcap, ReadsChunksOfLz4AndNoBrokenOnes) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  const Bytes whole = compressed_by_lz4(some_records(500));
+  write_file(path, whole);
+  Reader reader(path);
+  EXPECT_EQ(count(reader), 500);
+  EXPECT_TRUE(reader.complete());
+  for (std::size_t at = 60; at < whole.size(); at += 1 + whole.size() / 99) {
+    Bytes bytes = whole;
+    bytes[at] ^= 0xFF;
+    write_file(path, bytes);
+    Reader broken(path);
+    while (broken.next()) {
+    }
+  }
+  write_file(path, std::span(whole).first(whole.size() / 2));
+  Reader cut(path);
+  EXPECT_FALSE(cut.next());
+  EXPECT_EQ(cut.fault(), "the file ends in the middle");
+}
+
+TEST(Recordings, OneWithoutAReadableMessageIsNamedWithTheReason) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  const auto trouble = [&](std::span<const std::uint8_t> bytes) -> std::string {
+    write_file(path, bytes);
+    try {
+      check_recording(path);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const Bytes whole = compressed_by_lz4(some_records(9));
+  EXPECT_EQ(trouble(whole), "");
+  EXPECT_THAT(trouble(std::span(whole).first(80)), ::testing::HasSubstr("ends in the middle"));
+  EXPECT_THAT(trouble(compressed_by_lz4(some_records(0))),
+              ::testing::HasSubstr("there are none in it"));
+  EXPECT_THAT(trouble(text("hello")), ::testing::HasSubstr("is not an MCAP file"));
 }
 
 TEST(Mcap, AFileThatBreaksOffAnywhereIsReadUpToItsLastWholeChunk) {
@@ -131,6 +231,21 @@ TEST(Mcap, AWriterWhoseDiskIsFullKeepsWhatItWrote) {
   EXPECT_GT(count(reader), 1000);
 }
 
+TEST(Replay, GivesTopicsOfRosbagTheirNamesOnTheBus) {
+  const testing::Folder folder;
+  const auto path = folder.path / "a.mcap";
+  write_file(path, compressed_by_lz4(some_records(1)));
+  Stop stop;
+  Channel opened;
+  Replay replay({path, 100.0, false},
+                Outlet{[&](const Channel& channel) { opened = channel; }, [](std::uint32_t) {},
+                       [&](const auto&) { stop.request(); }});
+  replay.run(stop);
+  EXPECT_EQ(opened.wire, "rt/odom");
+  EXPECT_EQ(opened.type, "nav_msgs::msg::dds_::Odometry_");
+  EXPECT_EQ(opened.profile, "sensor");
+}
+
 TEST(Recordings, AnUnfinishedFileIsGivenItsEnd) {
   const testing::Folder folder;
   const auto path = folder.path / "a.mcap";
@@ -148,6 +263,23 @@ TEST(Recordings, AnUnfinishedFileIsGivenItsEnd) {
   EXPECT_EQ(count(reader), before);
   EXPECT_TRUE(reader.complete());
   EXPECT_EQ(reader.metadata().at("versions").at("foretrack"), "1");
+}
+
+TEST(Mcap, WhateverIsInAFileItIsReadToItsEndOrToWhereItBreaks) {
+  const testing::Folder folder;
+  const auto path = folder.path / "changed.mcap";
+  const Bytes good = recording(12);
+  testing::Mutator mutator(1);
+  for (int k = 0; k < 1000; ++k) {
+    write_file(path, mutator.mutate(good));
+    try {
+      Reader reader(path);
+      while (reader.next()) {
+      }
+    } catch (const std::runtime_error&) {
+      // no MCAP any more
+    }
+  }
 }
 
 }  // namespace

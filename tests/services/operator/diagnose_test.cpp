@@ -30,15 +30,49 @@ struct Flight {
     snapshot.plan = &plan;
     snapshot.safety = &safety;
     for (const char* topic :
-         {"odometry", "target/observation", "camera/depth/image", "target/state", "map/local",
-          "target/intention", "target/prediction", "plan/trajectory", "safety/state"})
+         {"odometry", "camera/color/image", "camera/color/camera_info", "camera/depth/image",
+          "camera/depth/camera_info", "fmu/out/vehicle_status", "target/observation",
+          "target/state", "map/local", "target/intention", "target/prediction", "plan/trajectory",
+          "safety/state"})
       snapshot.flows.push_back({.topic = topic,
                                 .wire = std::string("rt/uav1/") + topic,
                                 .rate_hz = 20.0,
                                 .age_s = 0.05,
                                 .writers = 1,
                                 .samples = 60,
-                                .rejected = {}});
+                                .rejected = {},
+                                .refusal = {}});
+    for (const char* service : {"perception", "mapping"})
+      snapshot.services.push_back(said(service));
+    snapshot.px4_release = snapshot.px4_spoken = "1.16";
+  }
+  static ServiceReport said(const std::string& service, const std::string& words = "") {
+    ServiceReport report;
+    report.health.service(service);
+    report.health.last_error(words);
+    return report;
+  }
+  void says(std::string_view service, const std::string& words) {
+    for (auto& report : snapshot.services)
+      if (report.health.service().c_str() == service) {
+        report.health.state(msg::ServiceHealth_Constants::STATE_DEGRADED);
+        report.health.last_error(words);
+      }
+  }
+  void lose(std::string_view service) {
+    std::erase_if(snapshot.services, [&](const ServiceReport& report) {
+      return report.health.service().c_str() == service;
+    });
+  }
+  void refuse(std::string_view topic, const char* field, const std::string& words) {
+    flow(topic).samples = 0;
+    flow(topic).rejected = {{field, 12}};
+    flow(topic).refusal = words;
+  }
+  std::string advice() const {
+    const auto findings = diagnose(snapshot);
+    const auto* first = first_cause(findings);
+    return first ? first->advice : "";
   }
   TopicFlow& flow(std::string_view topic) { return const_cast<TopicFlow&>(*snapshot.flow(topic)); }
   void silence(std::string_view topic) {
@@ -65,9 +99,8 @@ TEST(Diagnose, FindsNothingInAGoodFlight) {
 }
 
 TEST(Diagnose, NamesTheTopicAndTheServiceThatIsMissing) {
-  constexpr std::array<std::array<const char*, 2>, 8> kWriters = {
-      {{"odometry", "simulator"},
-       {"target/observation", "simulator"},
+  constexpr std::array<std::array<const char*, 2>, 7> kWriters = {
+      {{"target/observation", "perception"},
        {"target/state", "perception"},
        {"map/local", "mapping"},
        {"target/intention", "prediction"},
@@ -77,6 +110,7 @@ TEST(Diagnose, NamesTheTopicAndTheServiceThatIsMissing) {
   for (const auto& [topic, service] : kWriters) {
     Flight flight;
     flight.silence(topic);
+    flight.lose(service);
     EXPECT_THAT(flight.cause(), HasSubstr(std::string("rt/uav1/") + topic));
     EXPECT_THAT(flight.cause(), HasSubstr(std::string("service ") + service + " is missing"));
   }
@@ -128,6 +162,108 @@ TEST(Diagnose, SaysWhyEverySampleWasRejected) {
   EXPECT_THAT(flight.cause(), HasSubstr("12 × stamp in the future"));
 }
 
+// What a driver or the flight controller must write: never the simulator's work.
+TEST(Diagnose, NamesTheInputThatNobodyWritesAndHowToGiveIt) {
+  for (const char* topic : {"odometry", "camera/color/image", "camera/color/camera_info",
+                            "camera/depth/camera_info", "fmu/out/vehicle_status"}) {
+    Flight flight;
+    flight.silence(topic);
+    if (std::string_view(topic) == "camera/color/image") flight.silence("target/observation");
+    EXPECT_THAT(flight.cause(), HasSubstr(std::string("Nobody writes rt/uav1/") + topic));
+    EXPECT_THAT(flight.advice(), HasSubstr("--remap"));
+    EXPECT_THAT(to_text(diagnose(flight.snapshot)), Not(HasSubstr("foretrack up")));
+    EXPECT_THAT(to_text(diagnose(flight.snapshot)), Not(HasSubstr("simulator")));
+  }
+  Flight simulated;
+  simulated.snapshot.simulated = true;
+  simulated.silence("odometry");
+  EXPECT_THAT(simulated.advice(), HasSubstr("foretrack up"));
+}
+
+TEST(Diagnose, NamesTopicsOfTheSameTypeAndPresetsThatFit) {
+  Flight flight;
+  flight.silence("odometry");
+  flight.snapshot.published = {{"rt/mavros/local_position/odom", "nav_msgs::msg::dds_::Odometry_"},
+                               {"rt/uav1/simulator/vehicle", "nav_msgs::msg::dds_::Odometry_"},
+                               {"rt/camera/image_raw", "sensor_msgs::msg::dds_::Image_"}};
+  EXPECT_THAT(flight.advice(), HasSubstr("--remap odometry:=mavros/local_position/odom takes it"));
+  EXPECT_THAT(flight.advice(), Not(HasSubstr("simulator")));
+  flight.snapshot.fitting_presets = {"mavros"};
+  EXPECT_THAT(to_text(diagnose(flight.snapshot)), HasSubstr("these presets: mavros"));
+}
+
+TEST(Diagnose, ShowsValueAndExpectationOfWhatIsRefused) {
+  Flight flight;
+  flight.refuse("odometry", "child_frame_id", "child_frame_id is 'fcu', expected 'base_link'");
+  EXPECT_THAT(flight.cause(),
+              HasSubstr("12 × child_frame_id: child_frame_id is 'fcu', expected 'base_link'"));
+  Flight some;
+  some.flow("odometry").refusal = "twist.linear is nan";
+  EXPECT_EQ(some.cause(), "");
+  EXPECT_THAT(to_text(diagnose(some.snapshot)),
+              HasSubstr("some samples are refused: twist.linear"));
+}
+
+TEST(Diagnose, TellsAStuckDriverFromAMissingOne) {
+  Flight flight;
+  flight.flow("camera/depth/image").samples = 0;
+  flight.silence("map/local");
+  EXPECT_THAT(flight.cause(), HasSubstr("has a writer, but nothing comes: the depth image"));
+  Flight stopped;
+  stopped.flow("odometry").age_s = 3.0;
+  stopped.flow("odometry").writers = 0;
+  EXPECT_THAT(stopped.cause(), HasSubstr("stopped 3.0 s ago. Its writer is gone."));
+}
+
+TEST(Diagnose, SaysThatNobodyKnowsWhereACameraSits) {
+  Flight flight;
+  flight.says("mapping",
+              "where the camera 'camera_depth_optical_frame' sits is not known (no "
+              "transform of 'camera_depth_optical_frame' is known)");
+  EXPECT_THAT(flight.cause(), HasSubstr("mapping: where the camera 'camera_depth_optical_frame'"));
+  EXPECT_THAT(flight.advice(), HasSubstr("--depth-mount"));
+}
+
+TEST(Diagnose, SaysThatTheNetworksAreMissingOrNobodyIsInTheImages) {
+  Flight flight;
+  flight.says("perception", "pose_landmark.tflite is missing; ./run models fetches it");
+  EXPECT_THAT(flight.cause(), HasSubstr("The networks cannot be loaded"));
+  Flight empty;
+  empty.snapshot.nobody_in_images = true;
+  EXPECT_EQ(empty.cause(), "");
+  EXPECT_THAT(to_text(diagnose(empty.snapshot)), HasSubstr("nobody is found in them"));
+}
+
+TEST(Diagnose, ObservationsFromElsewhereNeedNoColourImages) {
+  Flight flight;
+  flight.silence("camera/color/image");
+  flight.silence("camera/color/camera_info");
+  EXPECT_EQ(flight.cause(), "");
+  EXPECT_THAT(to_text(diagnose(flight.snapshot)), HasSubstr("observations come from elsewhere"));
+}
+
+TEST(Diagnose, SaysWhichReleaseTheFlightControllerSpeaks) {
+  Flight flight;
+  flight.silence("fmu/out/vehicle_status");
+  flight.snapshot.px4_spoken = "1.17";
+  EXPECT_THAT(flight.cause(), HasSubstr("speaks as PX4 1.17 does; 1.16 is expected"));
+  EXPECT_THAT(flight.advice(), HasSubstr("--px4 1.17"));
+}
+
+TEST(Diagnose, SaysThatTheFlightControllerHasAnotherNamespace) {
+  Flight flight;
+  flight.silence("fmu/out/vehicle_status");
+  flight.snapshot.published = {{"rt/px4_2/fmu/out/vehicle_status_v1", "px4"}};
+  EXPECT_THAT(flight.advice(), HasSubstr("--px4-namespace px4_2"));
+}
+
+TEST(Diagnose, SaysThatTheFlightControllersStampsAreOfAnotherClock) {
+  Flight flight;
+  flight.snapshot.px4_ahead_s = -1.7e9;
+  EXPECT_THAT(flight.cause(), HasSubstr("not in this machine's time"));
+  EXPECT_THAT(flight.advice(), HasSubstr("UXRCE_DDS_SYNCT"));
+}
+
 TEST(Diagnose, SaysInPlainWordsWhyThereIsNoPlan) {
   Flight flight;
   flight.plan.status(msg::PlannedTrajectory_Constants::STATUS_HOLD);
@@ -155,6 +291,7 @@ TEST(Diagnose, NoticesAClockThatDiffers) {
 TEST(Diagnose, SaysOneThingWhenNobodyIsThere) {
   Flight flight;
   for (auto& flow : flight.snapshot.flows) flight.silence(flow.topic);
+  flight.snapshot.services.clear();
   flight.snapshot.other_vehicles = {"kestrel"};
   const auto findings = diagnose(flight.snapshot);
   ASSERT_EQ(findings.size(), 1u);

@@ -80,7 +80,8 @@ TEST_F(SimulatorOnDds, GivesLateJoinersTheKnownMapAndTheCamerasMount) {
   EXPECT_EQ(known->stamp_s, 0.0);
   const tf2_msgs::msg::TFMessage* transform = nullptr;
   ASSERT_TRUE(neighbours_.until([&] { return (transform = mount.take_newest()) != nullptr; }));
-  EXPECT_TRUE(mount_of(*transform, "camera_optical_frame"));
+  EXPECT_EQ(transform->transforms().at(0).header().frame_id(), "uav1/base_link");
+  EXPECT_EQ(transform->transforms().at(0).child_frame_id(), "uav1/camera_optical_frame");
 }
 
 TEST_F(SimulatorOnDds, IsFlownOverPx4sTopics) {

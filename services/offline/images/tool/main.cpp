@@ -113,8 +113,11 @@ class Report {
 
 int perceive_with(const PerceiveOptions& o) {
   const PerceptionParams params = params_of(o);
-  std::optional<Calibration> calibration;
-  if (!o.calibration.empty()) calibration = load_calibration(o.calibration);
+  std::optional<CameraWithLens> calibration;
+  if (!o.calibration.empty()) {
+    calibration = load_calibration(o.calibration);
+    fmt::print(stderr, "{}: {}\n", o.calibration, describe(*calibration));
+  }
   const auto source = open_source(o);
   const auto sink = o.out.empty() ? nullptr : open_sink(o.out, source->rate_hz());
   PersonFinder finder(load_shipped_pose_network(params.model_complexity), params, calibration);
@@ -159,7 +162,11 @@ int main(int argc, char** argv) {
   CLI::App app("foretrack perceive: people in pictures, videos and cameras", "foretrack perceive");
   foretrack::PerceiveOptions options;
   foretrack::add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     return foretrack::perceive_with(options);
   } catch (const std::invalid_argument& error) {

@@ -49,13 +49,6 @@ TEST_F(AimCamera, LooksBetweenPlacesByTheirProbability) {
   EXPECT_GT(end_rad(), rad(30.0));
 }
 
-TEST_F(AimCamera, SweepsToTheSideItIsToldWithinTheRate) {
-  sweep_camera(start_, -1.0, params_, workspace_, trajectory_);
-  EXPECT_LT(end_rad(), -rad(90.0));
-  for (const AngleNode& node : trajectory_.yaw.nodes)
-    EXPECT_LE(std::abs(node.rate_rad_s), params_.limits.yaw_rate_max_rad_s + 1e-9);
-}
-
 TEST_F(AimCamera, HoldsByBrakingTheTurn) {
   start_.yaw = {0.4, 1.0};
   hold_camera(start_, params_, workspace_, trajectory_);

@@ -45,7 +45,11 @@ TEST(LoadParams, NamesEveryFaultWithItsLine) {
 
 TEST(LoadParams, RefusesAKeyGivenTwiceAndAFileThatIsNotThere) {
   EXPECT_THAT(error_of("safety:\n  plan_fresh_s: 0.3\n  plan_fresh_s: 0.4\n"),
-              HasSubstr("given twice"));
+              HasSubstr(":3: safety.plan_fresh_s: given twice"));
+  EXPECT_THAT(error_of("safety: {}\nsafety:\n  plan_fresh_s: 0.4\n"),
+              HasSubstr(":2: safety: given twice"));
+  EXPECT_THAT(error_of("safety: {}\n---\nsafety: {}\n"), HasSubstr(":3: 2 documents"));
+  EXPECT_THAT(error_of("a: &a [*a]\n"), HasSubstr("foretrack_load_params.yaml"));
   EXPECT_THROW(load_params("/no/such/file.yaml"), std::invalid_argument);
 }
 

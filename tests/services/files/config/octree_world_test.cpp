@@ -75,6 +75,45 @@ TEST_F(OctreeWorld, AScenarioFliesInItAlongATrack) {
   EXPECT_GE(s.world.max_m.y(), 8.0);
 }
 
+TEST_F(OctreeWorld, OnlyWhatIsWithinTheBoundsIsTaken) {
+  World world;
+  world.min_m = {0, -2, 0};
+  world.max_m = {3, 2, 1};
+  add_octree(write_tree(), false, world);
+  EXPECT_EQ(world.max_m, Vec3(3, 2, 1));
+  ASSERT_FALSE(world.boxes.empty());
+  for (const Box& box : world.boxes) {
+    EXPECT_GE(box.min_m.x(), 0.0);
+    EXPECT_LE(box.max_m.z(), 1.0 + 1e-6);
+  }
+  EXPECT_LT(clearance_m(world, {1.7, 0, 0.5}), 0.0);
+  world.min_m = {30, 30, 0};
+  world.max_m = {40, 40, 1};
+  EXPECT_THAT([&] { add_octree(write_tree(), false, world); },
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
+                  "it reaches from (-4.00, -4.00, 0.00) to (4.00, 4.00, 3.00)")));
+}
+
+TEST_F(OctreeWorld, FullTreesAreReadToo) {
+  const auto tree = read_octree(write_tree());
+  const fs::path full = folder_ / "yard.ot";
+  ASSERT_TRUE(tree->write(full.string()));
+  World world, of_full;
+  add_octree(write_tree(), true, world);
+  add_octree(full, true, of_full);
+  EXPECT_EQ(of_full.boxes.size(), world.boxes.size());
+  EXPECT_EQ(of_full.max_m, world.max_m);
+}
+
+TEST_F(OctreeWorld, ASummaryHasExtentsAndCells) {
+  const auto summary = summarize_octree(write_tree());
+  EXPECT_DOUBLE_EQ(summary.resolution_m, 0.2);
+  EXPECT_NEAR((summary.max_m - Vec3(4, 4, 3)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((summary.occupied_m.min() - Vec3(-3, -3, 0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((summary.occupied_m.max() - Vec3(2, 1.4, 2)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(summary.occupied_cells + summary.free_cells, 40u * 40u * 15u);
+}
+
 TEST_F(OctreeWorld, AFileThatIsNoOctreeIsNamed) {
   std::ofstream(folder_ / "bad.bt") << "hello";
   World world;

@@ -50,6 +50,62 @@ TEST(OpenSource, SaysWhatIsWrongWithAVideoOrCamera) {
   EXPECT_THAT(trouble_of([] { open_sink("drawing.svg", 30.0); }), HasSubstr(".png"));
 }
 
+// A Matroska file, by hand: a JPEG a frame, each with a stamp of its own, in milliseconds.
+class Matroska {
+ public:
+  Matroska(int width_px, int height_px) {
+    using namespace std::string_literals;
+    add(0x1A45DFA3, element(0x4282, "matroska"s));
+    const std::string video = element(0xB0, number(width_px)) + element(0xBA, number(height_px));
+    const std::string track = element(0xD7, number(1)) + element(0x73C5, number(1)) +
+                              element(0x83, number(1)) + element(0x86, "V_MJPEG"s) +
+                              element(0xE0, video);
+    inside_ = element(0x1549A966, element(0x2AD7B1, number(1000000))) +
+              element(0x1654AE6B, element(0xAE, track));
+    cluster_ = element(0xE7, number(0));
+  }
+  void add_frame(int stamp_ms, const std::string& jpeg) {
+    const std::string head = {'\x81', static_cast<char>(stamp_ms >> 8),
+                              static_cast<char>(stamp_ms & 0xFF), '\x80'};
+    cluster_ += element(0xA3, head + jpeg);
+  }
+  std::string file() const {
+    return text_ + element(0x18538067, inside_ + element(0x1F43B675, cluster_));
+  }
+
+ private:
+  static std::string number(std::uint64_t value, int bytes = 4) {
+    std::string text;
+    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(value >> (8 * i));
+    return text;
+  }
+  static std::string element(std::uint64_t id, const std::string& content) {
+    const int bytes = id > 0xFFFFFF ? 4 : id > 0xFFFF ? 3 : id > 0xFF ? 2 : 1;
+    return number(id, bytes) + number(0x0100000000000000 | content.size(), 8) + content;
+  }
+  void add(std::uint64_t id, const std::string& content) { text_ += element(id, content); }
+  std::string text_, inside_, cluster_;
+};
+
+TEST(VideoSource, KeepsTheStampsOfAVaryingRate) {
+  const testing::ScratchFolder folder;
+  RgbImage image{64, 48, {}};
+  image.rgb.assign(3 * 64 * 48, 90);
+  open_sink(folder.file("frame.jpg"), 30.0)->write(image);
+  std::ifstream in(folder.file("frame.jpg"), std::ios::binary);
+  const std::string jpeg{std::istreambuf_iterator<char>(in), {}};
+  Matroska video(64, 48);
+  const std::vector<int> stamps_ms = {100, 133, 166, 600, 700, 1900};
+  for (const int stamp_ms : stamps_ms) video.add_frame(stamp_ms, jpeg);
+  const auto source = open_video(folder.write("varying.mkv", video.file()));
+  for (const int stamp_ms : stamps_ms) {
+    const auto frame = source->next();
+    ASSERT_TRUE(frame);
+    EXPECT_NEAR(frame->stamp_s, 1e-3 * (stamp_ms - 100), 2e-3);
+  }
+  EXPECT_FALSE(source->next());
+}
+
 // With the real networks, if they were fetched.
 class Pictures : public ::testing::TestWithParam<int> {
  protected:
@@ -131,7 +187,7 @@ TEST_P(Pictures, FrameAfterFrameThePersonStaysWhereTheyStand) {
 INSTANTIATE_TEST_SUITE_P(EveryModel, Pictures, ::testing::Values(0, 1, 2));
 
 TEST(PersonFinder, RefusesACalibrationOfAnotherSize) {
-  PersonFinder finder({}, {}, Calibration{});
+  PersonFinder finder({}, {}, CameraWithLens{});
   EXPECT_THAT(trouble_of([&] {
                 finder.look({0.0, "a.png", plain(320, 240, 0)});
               }),

@@ -563,5 +563,19 @@ TEST(Px4OdometryOnDds, FliesOnPx4sOwnEstimate) {
   EXPECT_TRUE(heard && heard->position_enu_m.isApprox(vehicle.position_enu_m, 1e-6));
 }
 
+TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherRelease) {
+  NodeOptions options = node_options("px4");
+  options.names.px4_release = "1.18";
+  Node px4(options);
+  const Writer<topics::Px4VehicleStatus> status(px4);
+  const Writer<topics::Px4BatteryStatus> battery(px4);
+  Reader<topics::ServiceHealth> health(neighbours_.node());
+  std::string said;
+  EXPECT_TRUE(neighbours_.until([&] {
+    health.take_each([&](const auto& message) { said = message.last_error().c_str(); });
+    return said.find("speaks as PX4 1.18 does, 1.16 is expected") != std::string::npos;
+  })) << said;
+}
+
 }  // namespace
 }  // namespace foretrack::testing

@@ -107,6 +107,22 @@ export interface PlannedTrajectory {
   stage_times: { stage: string; ms: number }[];
 }
 
+export interface TargetSearch {
+  header: Header;
+  mode: number;
+  unseen_s: number;
+  likeliest_m: Vec3;
+  has_viewpoint: boolean;
+  viewpoint_m: Vec3;
+  gaze_yaw_rad: number;
+  speed_max_mps: number;
+  corner_m: ArrayLike<number>;
+  cell_m: number;
+  columns: number;
+  rows: number;
+  belief: ArrayLike<number>;
+}
+
 export interface SafetyState {
   header: Header;
   caused_by: Time;

@@ -12,6 +12,7 @@ const readings: Record<string, Reading> = {
   "target/prediction": "newest",
   "bodies": "newest",
   "plan/trajectory": "newest",
+  "target/search": "newest",
   "safety/state": "all",
   "mission/command": "all",
   "health": "all",

@@ -4,6 +4,7 @@
 const track = ["never seen", "tracking", "coasting", "lost"];
 const prediction = ["ok", "no target", "target blocked", "search exhausted"];
 const plan = ["none", "fresh", "kept", "search", "hold"];
+const search = ["nobody is lost", "searching", "waiting"];
 const mode = ["track", "coast", "hover", "brake", "silent"];
 const service = ["running", "degraded", "stopping"];
 const phase = ["idle", "tracking", "holding", "returning", "landing", "stopped",
@@ -78,6 +79,7 @@ const from = (words: string[]) => (index: number): string => words[index] ?? "un
 export const trackWord = from(track);
 export const predictionWord = from(prediction);
 export const planWord = from(plan);
+export const searchWord = from(search);
 export const modeWord = from(mode);
 export const serviceWord = from(service);
 export const phaseWord = from(phase);

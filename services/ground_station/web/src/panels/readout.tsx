@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The chosen vehicle in words, over the scene: as the terminal view says it.
 import type { SafetyState } from "../data/messages.ts";
-import { explainGate, explainPlan, modeWord, planWord, PlanState, trackWord, Track,
+import { explainGate, explainPlan, modeWord, planWord, PlanState, searchWord, trackWord, Track,
 } from "../data/words.ts";
 import { band_m, distance_m, yawError_rad } from "../store/derive.ts";
 import { age_s } from "../store/state.ts";
@@ -25,6 +25,7 @@ export function Readout({ session }: { session: Session }) {
   const intention = latest["target/intention"];
   const plan = latest["plan/trajectory"];
   const safety = latest["safety/state"];
+  const search = latest["target/search"];
   const error = yawError_rad(odometry, target?.message);
   const error_deg = error === null ? null : (error * 180) / Math.PI;
   const gap_m = distance_m(odometry, target?.message);
@@ -57,6 +58,14 @@ export function Readout({ session }: { session: Session }) {
         {plan && plan.message.reason > 0 ? `(${explainPlan(plan.message.reason)}) ` : ""}
         {number(sum_ms, 1, "ms")}
       </Aged></dd>
+      {search && search.message.mode > 0 && <>
+        <dt>search</dt>
+        <dd><Aged age_s={age_s(state, search)} limit_s={stale_s}>
+          <span data-field="search">{searchWord(search.message.mode)}</span>{" "}
+          unseen for {number(search.message.unseen_s, 0, "s")}, up to{" "}
+          {number(search.message.speed_max_mps, 1, "m/s")}
+        </Aged></dd>
+      </>}
       <dt>gate</dt>
       <dd><Aged age_s={age_s(state, safety)} limit_s={stale_s}>
         <span data-field="gate">{safety ? modeWord(safety.message.mode) : "–"}</span>

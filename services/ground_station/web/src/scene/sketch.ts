@@ -3,7 +3,7 @@
 // each small array of numbers, costs when it is handed to another thread.
 import type {
   CameraModel, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, TargetIntention,
-  TargetPrediction, Vec3,
+  TargetPrediction, TargetSearch, Vec3,
 } from "../data/messages.ts";
 import { duration_s, samplePlan } from "../store/derive.ts";
 import type { Heard, Latest } from "../store/state.ts";
@@ -28,6 +28,18 @@ export interface Body {
 }
 export interface Target { status: number; x: number; y: number; z: number; yaw_rad: number | null }
 
+export interface Search {
+  mode: number; // 0: nobody is lost
+  x: number; // least corner of the belief's first cell
+  y: number;
+  z: number; // of the person's torso
+  cell_m: number;
+  columns: number;
+  belief: Uint8Array;
+  likeliest: Vec3;
+  viewpoint: Vec3 | null;
+}
+
 /** Points are x, y, z triples. */
 export interface Sketches {
   "odometry": Pose;
@@ -37,6 +49,7 @@ export interface Sketches {
   "target/prediction": Path[];
   "bodies": Body[];
   "plan/trajectory": Plan;
+  "target/search": Search;
   "map/points": Omit<PointCloud2, "header">;
   "map/local": Omit<LocalMap, "header">;
 }
@@ -64,6 +77,12 @@ function bodiesOf({ bodies }: MovingBodies): Body[] {
   });
 }
 
+function searchOf(s: TargetSearch): Search {
+  return { mode: s.mode, x: s.corner_m[0]!, y: s.corner_m[1]!, z: s.likeliest_m[2]!,
+    cell_m: s.cell_m, columns: s.columns, belief: Uint8Array.from(s.belief),
+    likeliest: s.likeliest_m, viewpoint: s.has_viewpoint ? s.viewpoint_m : null };
+}
+
 function planOf(plan: PlannedTrajectory, chosen: boolean): Plan {
   const total_s = duration_s(plan);
   return { points: flat(samplePlan(plan, planPoints)),
@@ -89,6 +108,7 @@ const makers: { [T in Drawn]: Maker<T> } = {
   "target/prediction": pathsOf,
   "bodies": bodiesOf,
   "plan/trajectory": planOf,
+  "target/search": searchOf,
   "map/points": ({ height, width, fields, point_step, data }) =>
     ({ height, width, fields, point_step, data }),
   "map/local": ({ resolution_m, origin_m, size_x, size_y, size_z, cells }) =>

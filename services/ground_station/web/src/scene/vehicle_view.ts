@@ -10,6 +10,7 @@ import { Around } from "./around.ts";
 import { PersonBody, VehicleBody } from "./bodies.ts";
 import { polytopeEdges } from "./corridor.ts";
 import type { SeenVehicle } from "./known.ts";
+import { Lost } from "./lost.ts";
 import { type Fan, FadingLine, Fans, type Point, Ribbons, Segments } from "./shapes.ts";
 import type { Path, Plan, Sketches } from "./sketch.ts";
 import { thin } from "./thin.ts";
@@ -42,6 +43,7 @@ export class VehicleView {
   private readonly body: VehicleBody;
   private readonly person = new PersonBody(orange);
   private readonly around = new Around();
+  private readonly lost = new Lost();
   private readonly trail: FadingLine;
   private readonly targetTrail = new FadingLine(900, orange);
   private readonly ribbons = new Ribbons(maxPaths + 1, ribbonPoints); // the paths, then the plan
@@ -61,7 +63,7 @@ export class VehicleView {
     this.trail = new FadingLine(900, color);
     this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
     this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
-      this.around.group, this.ribbons.mesh, this.walls.mesh, this.details);
+      this.around.group, this.lost.group, this.ribbons.mesh, this.walls.mesh, this.details);
   }
 
   /** All but the walls. */
@@ -84,6 +86,9 @@ export class VehicleView {
     if (prediction && this.shown.paths && this.isNew(prediction))
       this.drawPaths(prediction.message);
     if (plan && this.shown.plan && this.isNew(plan)) this.drawPlan(plan.message);
+    const search = latest["target/search"];
+    if (!fresh(search)) this.lost.set(null);
+    else if (this.isNew(search!)) this.lost.set(search!.message);
     if (chosen) this.drawDetails(now_s, vehicle, fresh);
   }
 

@@ -2,7 +2,8 @@
 // All that the page knows, at one moment of one flight or recording.
 import type {
   BatteryStatus, DiagnosticStatus, LocalMap, MovingBodies, Odometry, PlannedTrajectory, PointCloud2,
-  SafetyState, ServiceHealth, TargetIntention, TargetObservation, TargetPrediction, TargetState,
+  SafetyState, ServiceHealth, TargetIntention, TargetObservation, TargetPrediction, TargetSearch,
+  TargetState,
 } from "../data/messages.ts";
 import type { StationStatus } from "../data/station.ts";
 import { Series, Trail } from "./series.ts";
@@ -17,6 +18,7 @@ export interface Latest {
   "target/prediction": Heard<TargetPrediction>;
   "bodies": Heard<MovingBodies>;
   "plan/trajectory": Heard<PlannedTrajectory>;
+  "target/search": Heard<TargetSearch>;
   "safety/state": Heard<SafetyState>;
   "map/points": Heard<PointCloud2>;
   "map/local": Heard<LocalMap>;

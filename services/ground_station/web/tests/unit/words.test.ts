@@ -23,6 +23,7 @@ test("every enumerator of the contract has a word", () => {
     ["foretrack_msgs/TargetPrediction", "STATUS", words.predictionWord],
     ["foretrack_msgs/PlannedTrajectory", "STATUS", words.planWord],
     ["foretrack_msgs/PlannedTrajectory", "REASON", words.explainPlan],
+    ["foretrack_msgs/TargetSearch", "MODE", words.searchWord],
     ["foretrack_msgs/SafetyState", "MODE", words.modeWord],
     ["foretrack_msgs/SafetyState", "REASON", words.explainGate],
     ["foretrack_msgs/SafetyState", "PHASE", words.phaseWord],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/perception/lens.hpp"
+#include "core/common/lens.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,10 +30,6 @@ TEST(Undistort, FarOutsideTheLensThereIsNothing) {
   const CameraModel camera;
   const Lens lens = lens_of("plumb_bob", std::vector{-0.4, 0.0, 0.0, 0.0, 0.0});
   EXPECT_FALSE(undistort({5000.0, 240.0}, camera, lens));
-  PersonPose person;
-  person.landmarks[3] = {{5000.0, 240.0}, Vec3::Zero(), 1.0};
-  undistort(person, camera, lens);
-  EXPECT_EQ(person.landmarks[3].visibility, 0.0);
 }
 
 TEST(LensOf, RefusesWhatItDoesNotKnow) {
@@ -41,7 +37,23 @@ TEST(LensOf, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(lens_of("plumb_bob", std::vector{1.0}), std::invalid_argument);
   EXPECT_THROW(lens_of("plumb_bob", std::vector{0.0, 0.0, 0.0, std::nan("")}),
                std::invalid_argument);
+  EXPECT_THROW(lens_of("none", std::vector{0.1}), std::invalid_argument);
+  EXPECT_THROW(lens_of("rational_polynomial", std::vector<double>(5)), std::invalid_argument);
+  EXPECT_THROW(lens_of("equidistant", std::vector<double>(5)), std::invalid_argument);
   EXPECT_FALSE(lens_of("", {}).distorts());
+}
+
+TEST(LensOf, TakesWhatDriversWrite) {
+  EXPECT_FALSE(lens_of("none", {}).distorts());
+  EXPECT_FALSE(lens_of("none", std::vector<double>(5)).distorts());
+  EXPECT_FALSE(lens_of("plumb_bob", {}).distorts());
+  const std::vector<double> eight = {-0.3, 0.1, 0.0, 0.0, 0.02, 0.01, 0.0, 0.0};
+  EXPECT_EQ(lens_of("plumb_bob", eight).model, Lens::Model::kRationalPolynomial);
+  std::vector<double> fourteen = eight;
+  fourteen.resize(14);
+  EXPECT_EQ(lens_of("rational_polynomial", fourteen).coefficients[4], 0.02);
+  fourteen[9] = 0.1;
+  EXPECT_THROW(lens_of("rational_polynomial", fourteen), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/perception/lens.hpp"
+#include "core/common/lens.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -45,28 +45,38 @@ Mat2 derivative(const Vec2& ray, const Lens& lens) {
 }  // namespace
 
 Lens lens_of(std::string_view model, std::span<const double> coefficients) {
-  Lens lens;
-  std::size_t least = 4, most = 5;
-  if (model == "rational_polynomial") {
-    lens.model = Lens::Model::kRationalPolynomial;
-    least = most = 8;
-  } else if (model == "equidistant" || model == "fisheye") {
-    lens.model = Lens::Model::kEquidistant;
-    most = 4;
-  } else if (!model.empty() && model != "plumb_bob") {
-    throw std::invalid_argument("distortion model '" + std::string(model.substr(0, 40)) +
-                                "': plumb_bob, rational_polynomial or equidistant expected");
-  }
-  const bool none = lens.model == Lens::Model::kPlumbBob && coefficients.empty();
-  if (!none && (coefficients.size() < least || coefficients.size() > most))
-    throw std::invalid_argument(std::to_string(coefficients.size()) +
-                                " distortion coefficients: " + std::to_string(most) + " expected");
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
     if (!(std::abs(coefficients[k]) <= kMostCoefficient))
       throw std::invalid_argument("distortion coefficient " + std::to_string(k) +
                                   ": a finite number expected");
-    lens.coefficients[k] = coefficients[k];
-  }
+  const auto is_zero = [](double k) { return k == 0.0; };
+  const bool straight = std::all_of(coefficients.begin(), coefficients.end(), is_zero);
+  if (model == "none" && !straight)
+    throw std::invalid_argument("distortion model 'none' has coefficients other than 0");
+  if ((model.empty() || model == "none") && straight) return {};
+  const std::size_t count = coefficients.size();
+  const bool fisheye = model == "equidistant" || model == "fisheye";
+  const bool polynomial = model == "rational_polynomial";
+  if (!fisheye && !polynomial && !model.empty() && model != "plumb_bob")
+    throw std::invalid_argument("distortion model '" + std::string(model.substr(0, 40)) +
+                                "': plumb_bob, rational_polynomial, equidistant or none expected");
+  if (model == "plumb_bob" && count == 0) return {};
+  const auto refuse = [count](const char* expected) {
+    throw std::invalid_argument(std::to_string(count) + " distortion coefficients: " + expected +
+                                " expected");
+  };
+  if (fisheye && count != 4) refuse("4");
+  if (polynomial && count != 8 && count != 12 && count != 14) refuse("8");
+  if (!fisheye && !polynomial && count != 4 && count != 5 && count != 8) refuse("5");
+  const std::size_t used = std::min<std::size_t>(count, 8);
+  if (!std::all_of(coefficients.begin() + static_cast<std::ptrdiff_t>(used), coefficients.end(),
+                   is_zero))
+    throw std::invalid_argument(
+        "distortion coefficients of a thin prism or a tilted sensor: 0 expected");
+  Lens lens;
+  if (fisheye) lens.model = Lens::Model::kEquidistant;
+  if (!fisheye && used == 8) lens.model = Lens::Model::kRationalPolynomial;
+  std::copy_n(coefficients.begin(), used, lens.coefficients.begin());
   return lens;
 }
 
@@ -103,17 +113,6 @@ std::optional<Vec2> undistort(const Vec2& image_px, const CameraModel& camera, c
     ray -= step * std::min(1.0, 0.5 / std::max(step.norm(), 1e-12));
   }
   return std::nullopt;
-}
-
-void undistort(PersonPose& person, const CameraModel& camera, const Lens& lens) {
-  if (!lens.distorts()) return;
-  for (Landmark& landmark : person.landmarks) {
-    const auto straight = undistort(landmark.image_px, camera, lens);
-    if (straight)
-      landmark.image_px = *straight;
-    else
-      landmark.visibility = 0.0;
-  }
 }
 
 }  // namespace foretrack

@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "core/common/camera.hpp"
-#include "core/perception/find_landmarks.hpp"
 
 namespace foretrack {
 
@@ -29,10 +28,12 @@ struct Lens {
   bool distorts() const;
 };
 
-/// The lens of a distortion model by its name in ROS: plumb_bob (4 or 5 coefficients),
-/// rational_polynomial (8), equidistant or fisheye (4). An empty name without coefficients is a
-/// lens that does not distort. Throws std::invalid_argument that says what was expected: another
-/// name, another number of coefficients, or one that is not finite.
+/// The lens of a distortion model by its name in ROS: plumb_bob (4 or 5 coefficients; 8 are those
+/// of a rational_polynomial, as OpenCV has it), rational_polynomial (8; 12 or 14 if those of the
+/// thin prism and the tilt are 0), equidistant or fisheye (4). An empty name or "none" is a lens
+/// that does not distort; its coefficients, if there are any, must be 0. Throws
+/// std::invalid_argument that says what was expected: another name, another number of coefficients,
+/// or one that is not finite.
 Lens lens_of(std::string_view model, std::span<const double> coefficients);
 
 /// Where an image point would be without the lens' distortion, by Newton's method. None where the
@@ -41,9 +42,5 @@ std::optional<Vec2> undistort(const Vec2& image_px, const CameraModel& camera, c
 /// The opposite: the image point that the lens makes of a ray, given by its x and y at z = 1 in the
 /// optical frame.
 Vec2 distort(const Vec2& ray, const CameraModel& camera, const Lens& lens);
-
-/// Undistorts the image points of all landmarks. Those that cannot be undistorted become invisible
-/// (visibility 0).
-void undistort(PersonPose& person, const CameraModel& camera, const Lens& lens);
 
 }  // namespace foretrack
