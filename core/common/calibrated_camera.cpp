@@ -53,12 +53,12 @@ std::vector<std::string> faults_of_matrix(int width_px, int height_px,
   if (k[6] > 1.0 && k[7] > 1.0 && k[2] == 0.0 && k[5] == 0.0)
     return {
         words("cx ", k[6], " and cy ", k[7], " are in its last row: it is transposed", kExpected)};
-  if (k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
-    faults.push_back(words("its last row is ", k[6], " ", k[7], " ", k[8], kExpected));
   for (const int i : {0, 4})
     if (!(k[i] > 0.0 && k[i] < kMostFocal_px))
       faults.push_back(words(i == 0 ? "fx" : "fy", " is ", k[i], " px, above 0 expected"));
   if (!faults.empty()) return faults;
+  if (k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
+    faults.push_back(words("its last row is ", k[6], " ", k[7], " ", k[8], kExpected));
   if (std::abs(k[1]) > kMostSkew * k[0] || std::abs(k[3]) > kMostSkew * k[4])
     faults.push_back(words("beside fx and fy stand ", k[1], " and ", k[3], kExpected));
   if (k[0] > kMostAspect * k[4] || k[4] > kMostAspect * k[0])

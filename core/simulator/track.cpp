@@ -73,6 +73,11 @@ std::vector<double> numbers_of(std::string_view row, const FilePlace& place) {
   return numbers;
 }
 
+// What else a row may have, which is not read.
+bool is_further_column(std::string_view word) {
+  return word == "z" || word == "vx" || word == "vy" || word == "vz";
+}
+
 // "id frame x y z": names of columns, in a comment or alone in the first row.
 std::optional<Columns> columns_named(std::string_view line) {
   const auto words = words_of(line.substr(line.starts_with('#') ? 1 : 0));
@@ -83,7 +88,7 @@ std::optional<Columns> columns_named(std::string_view line) {
   Columns columns{at("frame"), at("id"), at("x"), at("y"), 4};
   if (std::max({columns.frame, columns.id, columns.x, columns.y}) >= words.size())
     return std::nullopt;
-  while (columns.count < words.size() && words[columns.count].size() <= 2) ++columns.count;
+  while (columns.count < words.size() && is_further_column(words[columns.count])) ++columns.count;
   return columns;
 }
 

@@ -198,7 +198,9 @@ class Secrecy : public ::testing::Test {
               .names = {},
               .domain_id = domain_.id(),
               .interface = {},
-              .security = {}}};
+              .security = {},
+              .peers = {},
+              .discovery_server = {}}};
   Reader<topics::MissionCommand> reader_{node_};
   std::string lease_;
 };

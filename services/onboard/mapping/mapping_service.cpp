@@ -50,7 +50,7 @@ MappingService::MappingService(Service& service, const MappingParams& params)
 void MappingService::take(const sensor_msgs::msg::Image& message) {
   arrived_s_ = service_.clock().now_s();
   if (!camera_) return image_.refuse(Fault{"camera_info", "no camera_info came yet"});
-  if (waiting_) image_.refuse(kNoPose);
+  if (waiting_) image_.refuse(what_is_missing());
   waiting_ = false;
   auto image = camera_->convert(message, std::move(depth_.depth_m));
   if (!image) return image_.refuse(image.fault());
@@ -59,6 +59,11 @@ void MappingService::take(const sensor_msgs::msg::Image& message) {
   sight_.look_at_depth(depth_.depth_m);
   waiting_ = true;
   update();
+}
+
+// Of an image that waits, and that another one has overtaken.
+Fault MappingService::what_is_missing() {
+  return mount_.at(frame_id_, depth_.stamp_s) ? kNoPose : Fault{"mount", mount_.trouble()};
 }
 
 // An image may arrive before the odometry and the transforms of its stamp. False: they may come

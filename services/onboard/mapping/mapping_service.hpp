@@ -30,6 +30,7 @@ class MappingService {
  private:
   void take(const sensor_msgs::msg::Image& message);
   bool place(const VehicleState* vehicle);
+  Fault what_is_missing();
   void update();
   void publish();
   void publish_for_others();

@@ -311,8 +311,11 @@ TEST(ReaderWriter, MessagesOfPx4HaveTheLayoutOfTheRelease) {
   EXPECT_EQ(got, sent);
   const auto layout = px4_layout_of("px4_msgs::msg::dds_::VehicleStatus_", "1.18");
   EXPECT_EQ(bytes.size(), 4 + layout.bytes);
-  for (const auto& field : layout.fields)
-    if (field.name == "nav_state") EXPECT_EQ(bytes[4 + field.at], 14);
+  for (const auto& field : layout.fields) {
+    if (field.name == "nav_state") {
+      EXPECT_EQ(bytes[4 + field.at], 14);
+    }
+  }
 }
 
 }  // namespace

@@ -109,7 +109,9 @@ TEST(CompressedImageMessage, NoBytesCrashAndHalfAPictureIsNone) {
       rgb_from_idl(message(bytes), camera());
       bytes.resize(at);
       const auto out = rgb_from_idl(message(bytes), camera());
-      if (at + kEndMark < whole.size()) EXPECT_FALSE(out) << at;
+      if (at + kEndMark < whole.size()) {
+        EXPECT_FALSE(out) << at;
+      }
     }
   }
 }

@@ -61,7 +61,7 @@ TEST(LoadCalibration, NamesEveryFaultWithItsLine) {
   const std::string fault = fault_of(
       replaced(replaced(kGood, "image_width: 640", "image_width: wide"), "0., 1.]", "1.]"));
   EXPECT_THAT(fault, HasSubstr("image_width"));
-  EXPECT_THAT(fault, HasSubstr("yaml:7: camera_matrix: a list of 9 numbers expected"));
+  EXPECT_THAT(fault, HasSubstr("yaml:5: camera_matrix: a list of 9 numbers expected"));
 }
 
 TEST(LoadCalibration, RefusesUnknownLensesAndNegativeFocalLengths) {
