@@ -2,9 +2,9 @@
 // What the planner keeps from one replan to the next, and the memory that it works in.
 #pragma once
 
+#include "core/common/deviation_bound.hpp"
 #include "core/planning/motion/aim_camera.hpp"
 #include "core/planning/motion/check_trajectory.hpp"
-#include "core/planning/motion/deviation_bound.hpp"
 #include "core/planning/search/lost_person.hpp"
 #include "core/planning/see/look_ahead.hpp"
 #include "core/planning/way/corridor.hpp"

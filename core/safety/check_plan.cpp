@@ -81,11 +81,12 @@ bool flees(const Course& course, double begin_s, std::span<const Course> others,
 
 // What nobody has seen may hold something; somebody who walks into the vehicle is certain.
 bool is_blocked(const Course& course, double begin_s, std::span<const Course> others,
-                const Situation& now, const PlanCheckParams& p, double obstacle_m, double until_s) {
+                const Situation& now, const PlanCheckParams& p, const ObstacleRoom& room,
+                double until_s) {
   if (!now.around.map) return false;
   const auto meets_at_s = [&](Passable passable) {
-    return time_at_obstacle(course, *now.around.map, obstacle_m, p.limits.acceleration_m_s2,
-                            until_s, passable);
+    return time_at_obstacle(course, *now.around.map, room, p.limits.acceleration_m_s2, until_s,
+                            passable);
   };
   if (meets_at_s(Passable::kSeenFree) < 0.0) return false;
   return meets_at_s(Passable::kNotOccupied) >= 0.0 || !flees(course, begin_s, others, now, p);
@@ -99,9 +100,12 @@ PlanFault check_around(const PlannedTrajectory& plan, const Situation& now,
   const Course stop = stop_of(now, p);
   const Course others[] = {
       stop, now.flown ? Course(*now.flown, now.moment.now_s - now.flown->start_s) : stop};
-  if (is_blocked(course, plan.start_s, others, now, p, p.clearances.obstacle_m, to_end_s))
-    return PlanFault::kObstacle;
-  if (time_out_of_bounds(course, now.around.bounds, p.clearances.bounds_m, to_end_s) >= 0.0)
+  const Clearances& c = p.clearances;
+  const ObstacleRoom room{c.vehicle_radius_m, c.obstacle_m,
+                          std::max(c.obstacle_m, c.obstacle_most_m), now.deviation};
+  if (is_blocked(course, plan.start_s, others, now, p, room, to_end_s)) return PlanFault::kObstacle;
+  if (time_out_of_bounds(course, now.around, c.bounds_m, to_end_s) >= 0.0 ||
+      time_too_low(course, now.around, c.least_altitude_m, to_end_s) >= 0.0)
     return PlanFault::kBounds;
   return is_near_somebody(course, plan.start_s, others, now, p, p.body_horizon_s)
              ? PlanFault::kBody
@@ -124,10 +128,11 @@ PlanFault check_flown(const Situation& now, const PlanCheckParams& params) {
   const double until_s =
       std::min(params.look_ahead_s, kReaction_s + stop_of(now, params).duration_s());
   const Course stop[] = {stop_of(now, params)};
-  if (is_blocked(course, now.moment.stamp_now_s, stop, now, params,
-                 params.clearances.vehicle_radius_m, until_s))
+  const double hull_m = params.clearances.vehicle_radius_m;
+  if (is_blocked(course, now.moment.stamp_now_s, stop, now, params, {hull_m, hull_m, hull_m},
+                 until_s))
     return PlanFault::kObstacle;
-  if (time_out_of_bounds(course, now.around.bounds, 0.0, until_s) >= 0.0) return PlanFault::kBounds;
+  if (time_out_of_bounds(course, now.around, 0.0, until_s) >= 0.0) return PlanFault::kBounds;
   return is_near_somebody(course, now.moment.stamp_now_s, stop, now, params, until_s)
              ? PlanFault::kBody
              : PlanFault::kNone;

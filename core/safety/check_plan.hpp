@@ -30,13 +30,15 @@ struct Situation {
   std::uint64_t last_id = 0;                 // of the plans of late; 0: there were none
   double last_start_s = -1e18;               // of the last one, monotonic
   GateSurroundings around;
+  const DeviationBound* deviation = nullptr;  // of the vehicle from its plans; null: not measured
 };
 
 /// Judges a plan that has pieces. start_s and stamp_s are on the clock of stamps.
-/// Too near an obstacle, to somebody or to a bound: unless it comes from there and goes away. Of
-/// bodies, a plan nearer than the floor is good enough if neither what is flown nor a stop is
-/// farther away from it. Into space that nobody has seen it may lead where all these come nearer to
-/// somebody than the floor, and it does not. Bounded cost.
+/// Too near an obstacle for what the vehicle leaves such plans by, to somebody, to a bound or to
+/// the ground: unless it comes from there and goes away. Of bodies, a plan nearer than the floor is
+/// good enough if neither what is flown nor a stop is farther away from it. Into space that nobody
+/// has seen it may lead where all these come nearer to somebody than the floor, and it does not.
+/// Bounded cost.
 PlanFault check_plan(const PlannedTrajectory& plan, const Situation& now,
                      const PlanCheckParams& params);
 

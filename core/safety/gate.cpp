@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/common/ground.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -46,6 +48,7 @@ GateSurroundings surroundings_of(const GateState& s, const GateInput& in, const 
   if (in.map && (in.map->stamp_s == 0.0 || is_known(in.map_at_s, in.now_s, p.map_stale_s)))
     around.map = in.map->empty() ? nullptr : in.map;
   if (is_known(in.bodies_at_s, in.now_s, p.bodies_stale_s)) around.bodies = in.bodies;
+  around.ground_m = s.ground_m;
   around.bounds = s.mission.bounds;
   around.bounds.altitude_min_m = std::max(around.bounds.altitude_min_m, p.altitude_min_m);
   around.bounds.altitude_max_m = std::min(around.bounds.altitude_max_m, p.altitude_max_m);
@@ -61,6 +64,7 @@ Situation situation_of(const GateState& s, const GateInput& in, const SafetyPara
   now.vehicle.velocity_enu_m_s = vehicle.velocity_enu_m_s;
   now.vehicle.yaw_rad = vehicle.yaw_rad();
   now.around = surroundings_of(s, in, p);
+  now.deviation = &s.deviation;
   if (is_known(s.last_plan_s, in.now_s, kOfLate_s)) now.last_id = s.newest_id;
   if (s.has_next)
     now.last_start_s = s.next.start_s;
@@ -135,9 +139,11 @@ void watch_inputs(GateState& s, const GateInput& in, const SafetyParams& p, Ladd
       s.image_latch.update(p.heeds_images && in.images_blind, in.now_s, 0.0, p.recover_s);
   if (ladder.vehicle_lost) return;
   const GateSurroundings around = surroundings_of(s, in, p);
+  const Vec3& place = s.odometry.state.position_enu_m;
+  if (around.map) s.ground_m = ground_below_m(*around.map, place).value_or(s.ground_m);
   ladder.limit = watch_limits(s.limits,
                               {.now_s = in.now_s,
-                               .place_enu_m = s.odometry.state.position_enu_m,
+                               .place_over_ground_m = place - s.ground_m * Vec3::UnitZ(),
                                .bounds = &around.bounds,
                                .battery = in.battery,
                                .operator_at_s = in.operator_at_s},
@@ -155,6 +161,16 @@ void react(GateState& s, const GateInput& in, const LimitVerdict& limit) {
                                                      : MissionEnd::kFence;
 }
 
+// How far the vehicle was from where it should be, when it said where it is.
+void measure_deviation(GateState& s) {
+  const double t_s = s.odometry.at_s - s.flown.start_s;
+  if (!s.flies_plans || t_s < 0.0 || s.odometry.at_s == s.measured_s) return;
+  s.measured_s = s.odometry.at_s;
+  const Vec3 velocity = s.flown.velocity(t_s);
+  s.deviation.add(velocity.norm(), s.flown.acceleration(t_s).norm(),
+                  beside_path_m(s.odometry.state.position_enu_m - s.flown.position(t_s), velocity));
+}
+
 void look_at_plan(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder,
                   GateResult& r) {
   ladder.phase = s.mission.phase;
@@ -162,6 +178,7 @@ void look_at_plan(GateState& s, const GateInput& in, const SafetyParams& p, Ladd
   ladder.planner_lost = in.now_s - std::max(s.last_heard_s, s.begun_s) > p.hover_limit_s;
   ladder.has_plan = s.has_flown;
   if (!s.has_flown) return;
+  measure_deviation(s);
   const double t_s = in.now_s - s.flown.start_s;
   r.deviation_m = (s.flown.position(t_s) - s.odometry.state.position_enu_m).norm();
   ladder.off_trajectory = r.deviation_m > p.max_deviation_m;

@@ -60,6 +60,9 @@ struct GateState {
   PlanFault flown_fault = PlanFault::kNone;  // that was seen last
   OdometryWatch odometry;
   LimitWatch limits;
+  DeviationBound deviation;  // of the vehicle from what is flown, as measured
+  double measured_s = -1.0;  // when the odometry came by which it was measured last
+  double ground_m = 0.0;     // below the vehicle, as it was known last
   double ticked_s = -1.0;
   double heartbeat_since_s = 1e18;
   SafetyMode mode = SafetyMode::kSilent;

@@ -37,16 +37,20 @@ struct SafetyParams {
   /// a plan that turns faster is refused
   double yaw_rate_max_rad_s = MotionLimits{}.yaw_rate_rad_s;
   double vehicle_radius_m = Clearances{}.vehicle_radius_m;  ///< of the vehicle's hull
-  /// least distance of a plan to what is occupied or unknown
+  /// least distance of a plan to what is occupied or unknown; more at speeds at which the vehicle
+  /// is measured to leave its plans by more
   double obstacle_m = Clearances{}.obstacle_m;
+  double obstacle_most_m = Clearances{}.obstacle_most_m;  ///< but never more than that
   /// least gap of a plan to people and vehicles, unless nothing else is farther away
   double body_m = Clearances{}.body_m;
   double bounds_m = Clearances{}.bounds_m;  ///< so far inside of fence and altitudes plans stay
+  /// a plan that leads lower over the ground below is refused
+  double least_altitude_m = Clearances{}.least_altitude_m;
   bool needs_map = PlanCheckParams{}.needs_map;  ///< without a map no plan is flown
   bool heeds_images = true;  ///< hover while colour or depth images are frozen, dark or covered
   // limits of the flight
-  double altitude_min_m = -1000.0;  ///< least altitude, world ENU
-  double altitude_max_m = 1000.0;   ///< greatest altitude, world ENU
+  double altitude_min_m = -1000.0;  ///< least altitude of the flight, over the ground below
+  double altitude_max_m = 1000.0;   ///< greatest altitude of the flight, over the ground below
   /// share of the battery that is kept; 0: not watched
   double battery_reserve = LimitParams{}.battery_reserve;
   /// longest silence of the operator; 0: none is asked for
@@ -89,7 +93,8 @@ struct SafetyParams {
   PlanCheckParams plan_check() const {
     PlanCheckParams check;
     check.limits = {speed_max_m_s, acceleration_max_m_s2, yaw_rate_max_rad_s};
-    check.clearances = {vehicle_radius_m, obstacle_m, body_m, bounds_m};
+    check.clearances = {vehicle_radius_m, obstacle_m, obstacle_most_m,
+                        body_m,           bounds_m,   least_altitude_m};
     check.needs_map = needs_map;
     return check;
   }

@@ -8,11 +8,11 @@ bool is_out_of_fence(const LimitInput& in, double inward_m) {
   FlightBounds fence = *in.bounds;
   fence.altitude_min_m = -std::numeric_limits<double>::infinity();
   fence.altitude_max_m = std::numeric_limits<double>::infinity();
-  return room_m(fence, in.place_enu_m) < inward_m;
+  return room_m(fence, in.place_over_ground_m) < inward_m;
 }
 
 bool is_out_of_altitudes(const LimitWatch& watch, const LimitInput& in, double inward_m) {
-  const double z = in.place_enu_m.z();
+  const double z = in.place_over_ground_m.z();
   return z > in.bounds->altitude_max_m - inward_m ||
          (watch.has_climbed && z < in.bounds->altitude_min_m + inward_m);
 }
@@ -40,7 +40,8 @@ bool is_reached(LimitKind kind, bool already, const LimitWatch& watch, const Lim
 
 LimitVerdict watch_limits(LimitWatch& watch, const LimitInput& input, const LimitParams& params) {
   if (watch.since_s < 0.0) watch.since_s = input.now_s;
-  watch.has_climbed = watch.has_climbed || input.place_enu_m.z() >= input.bounds->altitude_min_m;
+  watch.has_climbed =
+      watch.has_climbed || input.place_over_ground_m.z() >= input.bounds->altitude_min_m;
   LimitVerdict verdict;
   for (int i = 0; i < kLimitCount; ++i) {
     const auto kind = static_cast<LimitKind>(i);

@@ -29,7 +29,7 @@ struct LimitParams {
 /// What one tick is judged by.
 struct LimitInput {
   double now_s = 0.0;
-  Vec3 place_enu_m = Vec3::Zero();
+  Vec3 place_over_ground_m = Vec3::Zero();
   const FlightBounds* bounds = nullptr;
   const BatteryState* battery = nullptr;  // null: not known
   double operator_at_s = -1.0;            // last heartbeat; −1: never

@@ -87,10 +87,8 @@ Vec3 place_at(const FlightPath& path, double t_s) {
 // The hull, what the vehicle leaves its plan by, and the map's own error.
 double tube_radius_m(const SearchContext& context, const DeviationBound& deviation,
                      double speed_m_s) {
-  const FlightLimits& limits = context.limits;
-  const double bound_m = std::max(deviation.bound_m(speed_m_s, 0.0),
-                                  deviation.bound_m(speed_m_s, limits.acceleration_max_m_s2));
-  return context.params.body.hull_radius_m + bound_m + 0.5 * context.map.resolution_m;
+  return context.params.body.hull_radius_m + deviation.bound_m(speed_m_s) +
+         0.5 * context.map.resolution_m;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The optimisation problem of one plan: corridor, first guess, boundary states.
 #pragma once
 
-#include "core/planning/motion/deviation_bound.hpp"
+#include "core/common/deviation_bound.hpp"
 #include "core/planning/motion/plan_start.hpp"
 #include "core/planning/optimize/optimize_trajectory.hpp"
 #include "core/planning/see/look_ahead.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/planning/way/ground.hpp"
+#include "core/common/ground.hpp"
 
 namespace foretrack {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "core/planning/way/ground.hpp"
+#include "core/common/ground.hpp"
 #include "core/planning/way/map_rays.hpp"
 
 namespace foretrack {

@@ -148,6 +148,40 @@ TEST(CheckPlan, RefusesAPlanTooNearAnObstacleAndBrakesWhenOneAppearsOnTheWay) {
   EXPECT_LT(loop.vehicle.position_enu_m.x(), 0.6) << "the hull would touch at 0.75";
 }
 
+/// A wall along the way, whose face is at y = 0.5.
+GridMap wall_beside() {
+  GridMap map = open_map();
+  for (int z = 0; z < map.size.z(); ++z)
+    for (int y = 0; y < map.size.y(); ++y)
+      for (int x = 0; x < map.size.x(); ++x)
+        if (map.center_of({x, y, z}).y() > 0.5)
+          map.cells[map.offset_of({x, y, z})] = static_cast<std::uint8_t>(Cell::kOccupied);
+  DistanceWorkspace workspace;
+  update_distances(map, workspace);
+  return map;
+}
+
+// The vehicle is pushed aside, so that plans of that speed need more room than they did.
+TEST(CheckPlan, RefusesAPlanInsideOfWhatTheVehicleIsMeasuredToLeaveItsPlansBy) {
+  const GridMap wall = wall_beside();
+  for (const bool pushed : {false, true}) {
+    Given loop;
+    for (int i = 0; pushed && i < 40; ++i) {
+      loop.vehicle.position_enu_m.y() = 0.29;
+      loop.tick();
+    }
+    EXPECT_EQ(loop.state.deviation.bound_m(1.0, 0.0) > 0.25, pushed);
+    loop.vehicle.position_enu_m.y() = 0.0;
+    loop.tick();
+    loop.extra.map = &wall;
+    EXPECT_EQ(loop.give(loop.next_plan()), pushed ? PlanFault::kObstacle : PlanFault::kNone);
+    loop.flown_id = loop.result.plan_id;
+    loop.params.obstacle_most_m = 0.3;
+    loop.state.refused = {};
+    EXPECT_EQ(loop.give(loop.next_plan()), PlanFault::kNone) << "it asks for no more than that";
+  }
+}
+
 TEST(CheckPlan, AnObstacleThatANewerPlanLeadsClearOfIsNoReasonToBrake) {
   Given loop;
   const GridMap wall = wall_at(0.4);
@@ -323,6 +357,31 @@ TEST(CheckPlan, RefusesAPlanThatLeavesTheFenceOrTheAltitudes) {
       still_plan(++low.last_plan, low.stamp_now_s() + 0.02, low.vehicle.position_enu_m);
   up.pieces[0].coefficients.col(2).tail(3) = 0.3 * Vec3(10.0, -15.0, 6.0);  // by 0.3 m
   EXPECT_EQ(low.give(up), PlanFault::kBounds);
+}
+
+/// Ground that is that much higher from x on.
+GridMap step_at(double x_m, double height_m) {
+  GridMap map = open_map();
+  for (int z = 0; z < map.size.z(); ++z)
+    for (int y = 0; y < map.size.y(); ++y)
+      for (int x = 0; x < map.size.x(); ++x) {
+        const Vec3 center = map.center_of({x, y, z});
+        if (center.x() > x_m && center.z() < height_m)
+          map.cells[map.offset_of({x, y, z})] = static_cast<std::uint8_t>(Cell::kOccupied);
+      }
+  DistanceWorkspace workspace;
+  update_distances(map, workspace);
+  return map;
+}
+
+TEST(CheckPlan, RefusesAPlanThatLeadsTooLowOverTheGroundBelow) {
+  Given loop;
+  const GridMap low = step_at(1.0, 0.5), high = step_at(1.0, 1.0);
+  loop.extra.map = &low;
+  EXPECT_EQ(loop.give(loop.next_plan()), PlanFault::kNone);
+  loop.flown_id = loop.result.plan_id;
+  loop.extra.map = &high;
+  EXPECT_EQ(loop.give(loop.next_plan()), PlanFault::kBounds);
 }
 
 TEST(CheckPlan, BrakesWhereWhatIsFlownLeavesTheFence) {

@@ -45,12 +45,13 @@ inline PlannedTrajectory still_plan(std::uint64_t id, double start_s, const Vec3
   return plan;
 }
 
-/// Free as far as it reaches, from (−10, −10, −1) to (20, 10, 5), and given once and for all.
+/// Free as far as it reaches, from the ground, (−10, −10, 0), to (20, 10, 6), and given once and
+/// for all.
 inline const GridMap& open_map() {
   static const GridMap map = [] {
     GridMap free;
     free.resolution_m = 0.25;
-    free.origin_enu_m = Vec3(-10.0, -10.0, -1.0);
+    free.origin_enu_m = Vec3(-10.0, -10.0, 0.0);
     free.size = {120, 80, 24};
     free.cells.assign(free.cell_count(), static_cast<std::uint8_t>(Cell::kFree));
     free.occupied_distance_cm.assign(free.cell_count(), 255);

@@ -86,6 +86,23 @@ TEST(WatchLimits, OutsideOfTheAltitudesItHoldsButBeginsOnTheGround) {
   EXPECT_EQ(high.run_with_plans(1.0).reason, SafetyReason::kAltitude);
 }
 
+TEST(WatchLimits, AltitudesCountFromTheGroundBelowAsItWasSeenLast) {
+  Flying loop;
+  loop.params.altitude_min_m = 1.0;
+  EXPECT_EQ(loop.run_with_plans(1.0).mode, SafetyMode::kTrack);
+  GridMap higher = open_map();
+  const auto layer = static_cast<std::ptrdiff_t>(higher.size.x()) * higher.size.y();
+  std::fill_n(higher.cells.begin(), 3 * layer, static_cast<std::uint8_t>(Cell::kOccupied));
+  loop.extra.map = &higher;  // by 0.75 m
+  EXPECT_EQ(loop.run_with_plans(1.0).reason, SafetyReason::kAltitude);
+  GridMap unseen = open_map();
+  std::fill_n(unseen.cells.begin(), 3 * layer, static_cast<std::uint8_t>(Cell::kUnknown));
+  loop.extra.map = &unseen;
+  EXPECT_EQ(loop.run_with_plans(5.0).reason, SafetyReason::kAltitude);
+  loop.extra.map = &open_map();
+  EXPECT_EQ(loop.run_with_plans(5.0).mode, SafetyMode::kTrack);
+}
+
 TEST(WatchLimits, AtTheBatterysReserveItIsSentHomeOnce) {
   Flying loop;
   BatteryState battery;

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far what is flown leaves what is planned, as measured: the tube that a plan's room is for.
+// Planner and gate measure it each for themselves.
 #pragma once
 
 #include <array>
 
+#include "core/common/geometry.hpp"
+
 namespace foretrack {
+
+/// How far a vehicle is from its plan's path. That it is late or early on it, by up to 0.15 s, is
+/// no way off it.
+double beside_path_m(const Vec3& off_m, const Vec3& planned_velocity_m_s);
 
 /// A running bound by planned speed and acceleration: the 99th percentile of the deviations so far,
 /// those of late more than those of long ago. Before there are any, of a vehicle that follows well.
+/// It grows with the speed, linearly between whole metres a second. Allocates and throws nothing.
 class DeviationBound {
  public:
   DeviationBound();
@@ -16,13 +24,18 @@ class DeviationBound {
   void add(double speed_m_s, double acceleration_m_s2, double deviation_m);
   /// At most so far from a plan of this kind, m.
   double bound_m(double speed_m_s, double acceleration_m_s2) const;
+  /// The same, however it accelerates.
+  double bound_m(double speed_m_s) const;
+  /// The greatest speed at which the bound is no more than that, however the plan accelerates:
+  /// infinite where it never is more; 0 where it always is.
+  double speed_within_m_s(double bound_m) const;
 
  private:
-  static constexpr int kSpeeds = 4;         // up to 0.5, 1.5, 2.5 m/s, and faster
+  static constexpr int kSpeeds = 4;         // 0, 1, 2, 3 m/s, and faster
   static constexpr int kAccelerations = 2;  // up to 2 m/s², and more
-  static std::size_t bin(double speed_m_s, double acceleration_m_s2);
+  using Bounds = std::array<double, kSpeeds>;
 
-  std::array<double, kSpeeds * kAccelerations> bounds_m_;
+  std::array<Bounds, kAccelerations> bounds_m_;
 };
 
 }  // namespace foretrack

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/planning/motion/deviation_bound.hpp"
+#include "core/common/deviation_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +39,27 @@ TEST(DeviationBound, WhatIsNoDeviationOrBeyondMeasureDoesNoHarm) {
   EXPECT_LE(bound.bound_m(kSpeed_m_s, kGentle_m_s2), 0.3);
   for (int i = 0; i < 100000; ++i) bound.add(kSpeed_m_s, kGentle_m_s2, 0.0);
   EXPECT_GT(bound.bound_m(kSpeed_m_s, kGentle_m_s2), 0.0);
+}
+
+// What a slower plan leaves no less than a faster one is an accident of the measurement.
+TEST(DeviationBound, GrowsWithTheSpeedAndTellsTheSpeedForABound) {
+  DeviationBound bound;
+  for (int i = 0; i < 200; ++i) bound.add(1.0, kGentle_m_s2, 0.2);
+  EXPECT_GE(bound.bound_m(2.0, kGentle_m_s2), bound.bound_m(1.0, kGentle_m_s2));
+  double before_m = 0.0;
+  for (double speed_m_s = 0.0; speed_m_s < 4.0; speed_m_s += 0.05) {
+    const double bound_m = bound.bound_m(speed_m_s);
+    EXPECT_GE(bound_m, before_m);
+    EXPECT_GE(bound_m, bound.bound_m(speed_m_s, kHard_m_s2));
+    before_m = bound_m;
+  }
+  for (const double room_m : {0.06, 0.1, 0.17}) {
+    const double speed_m_s = bound.speed_within_m_s(room_m);
+    EXPECT_NEAR(bound.bound_m(speed_m_s), room_m, 1e-9);
+    EXPECT_GT(bound.bound_m(speed_m_s + 0.01), room_m);
+  }
+  EXPECT_EQ(bound.speed_within_m_s(0.01), 0.0);
+  EXPECT_TRUE(std::isinf(bound.speed_within_m_s(0.3)));
 }
 
 }  // namespace
