@@ -2,6 +2,7 @@
 #include "core/simulator/encounter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "core/common/random.hpp"
@@ -15,6 +16,7 @@ constexpr double kFirst_s = 4.5;      // the first meeting: by then it follows
 constexpr double kWall_m = 0.3;       // thickness
 constexpr double kWayOn_m = 8.0;      // that walks go on after a meeting
 constexpr double kShoulder_m = 0.35;  // from a wall to a person's middle
+constexpr double kPass_m = 0.55;      // between the middles of two who pass each other
 constexpr double kMargin_m = 3.0;     // of the bounds around all walks
 constexpr double kApproach_s = 3.5;   // they set off this long before they meet,
 constexpr double kApproach_m = 4.0;   // and this far away, if there is time for it
@@ -60,9 +62,10 @@ struct Stage {
     b.walk.height_m = random.chance(0.15) ? between(1.0, 1.3) : between(1.5, 1.9);
     scenario.bystanders.push_back(std::move(b));
   }
+  // Beside the followed person: people do not walk through each other.
   double lateral_m() {
     const double reach_m = walled() ? half_width_m - kShoulder_m : 1.2;
-    return between(-reach_m, reach_m);
+    return side_m() * between(std::min(kPass_m, reach_m), reach_m);
   }
 };
 
@@ -163,8 +166,10 @@ void stage_towards(Stage& s) {
       send_across(s, 0.0, t);
       continue;
     }
-    // From anywhere but straight behind, where its camera does not look.
-    const double from = s.between(-rad(120.0), rad(120.0));
+    // From anywhere but straight behind, where its camera does not look, and through the followed
+    // person, who is straight ahead.
+    const double beside_rad = std::asin(kPass_m / kFollowed_m);
+    const double from = s.side_m() * s.between(beside_rad, rad(120.0));
     s.send({s.followed_x_m(t) - kFollowed_m, 0.0}, -direction_of(from), t);
   }
 }
