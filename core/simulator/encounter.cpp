@@ -166,9 +166,9 @@ void stage_towards(Stage& s) {
       send_across(s, 0.0, t);
       continue;
     }
-    // From anywhere but straight behind, where its camera does not look, and through the followed
-    // person, who is straight ahead.
-    const double beside_rad = std::asin(kPass_m / kFollowed_m);
+    // From anywhere but straight behind, where its camera does not look, and straight ahead, where
+    // the followed person is.
+    const double beside_rad = std::asin(1.3 * kPass_m / kFollowed_m);
     const double from = s.side_m() * s.between(beside_rad, rad(120.0));
     s.send({s.followed_x_m(t) - kFollowed_m, 0.0}, -direction_of(from), t);
   }

@@ -174,6 +174,7 @@ TEST(CheckPlan, RefusesAPlanInsideOfWhatTheVehicleIsMeasuredToLeaveItsPlansBy) {
     loop.vehicle.position_enu_m.y() = 0.0;
     loop.tick();
     loop.extra.map = &wall;
+    loop.params.obstacle_most_m = 0.45;
     EXPECT_EQ(loop.give(loop.next_plan()), pushed ? PlanFault::kObstacle : PlanFault::kNone);
     loop.flown_id = loop.result.plan_id;
     loop.params.obstacle_most_m = 0.3;
