@@ -11,7 +11,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kWall_m = 0.3;  // thickness
+constexpr double kThickness_m = 0.3;  // of walls
 constexpr double kWallHeight_m = 4.0;
 constexpr double kStreet_m = 1.5;  // of the walk, from the wall
 constexpr double kAfter_s = 11.0;  // walked on after they have come back
@@ -23,7 +23,7 @@ struct Door {
 };
 
 // A street along x below y = 0; what hides is above.
-struct Stage {
+struct HidingStage {
   Scenario& scenario;
   Random random;
   double speed_m_s = 1.0;
@@ -40,15 +40,15 @@ struct Stage {
   void wall_along_x(double x0, double x1, double y, std::vector<Door> doors) {
     std::ranges::sort(doors, {}, &Door::x_m);
     for (const Door& door : doors) {
-      box(x0, y, door.x_m - 0.5 * door.width_m, y + kWall_m);
+      box(x0, y, door.x_m - 0.5 * door.width_m, y + kThickness_m);
       x0 = door.x_m + 0.5 * door.width_m;
     }
-    box(x0, y, x1, y + kWall_m);
+    box(x0, y, x1, y + kThickness_m);
   }
   void wall_along_y(double x, double y0, double y1, const Door* door) {
-    if (door == nullptr) return box(x, y0, x + kWall_m, y1);
-    box(x, y0, x + kWall_m, door->x_m - 0.5 * door->width_m);
-    box(x, door->x_m + 0.5 * door->width_m, x + kWall_m, y1);
+    if (door == nullptr) return box(x, y0, x + kThickness_m, y1);
+    box(x, y0, x + kThickness_m, door->x_m - 0.5 * door->width_m);
+    box(x, door->x_m + 0.5 * door->width_m, x + kThickness_m, y1);
   }
   double inside_m() const {
     double length_m = 0.0;
@@ -63,14 +63,14 @@ void set_bounds(Scenario& s, double x0, double x1, double y0, double y1) {
 }
 
 // So fast that the way inside takes neither too long nor no time at all.
-void choose_speed(Stage& stage) {
+void choose_speed(HidingStage& stage) {
   const double least_m_s = std::clamp(stage.inside_m() / (kLongest_s - 3.0), 0.5, 1.5);
   const double most_m_s = std::clamp(stage.inside_m() / kShortest_s, least_m_s, 1.5);
   stage.speed_m_s = stage.scenario.target.speed_m_s = stage.between(least_m_s, most_m_s);
 }
 
 // They come along the street from the left, go in, and on along the street or another one.
-void walk(Stage& stage, const Vec2& out, double street_y, bool to_right) {
+void walk(HidingStage& stage, const Vec2& out, double street_y, bool to_right) {
   Scenario& s = stage.scenario;
   choose_speed(stage);
   const double approach_m = 2.5 + 2.5 * stage.speed_m_s, after_m = kAfter_s * stage.speed_m_s;
@@ -93,7 +93,7 @@ void walk(Stage& stage, const Vec2& out, double street_y, bool to_right) {
   s.duration_s = std::ceil(in_s + walked_s + stood_s + kStreet_m / stage.speed_m_s + kAfter_s);
 }
 
-void stage_wall(Stage& stage) {
+void stage_wall(HidingStage& stage) {
   const double inside_y = stage.between(1.2, 3.0);
   const bool same = stage.random.chance(0.25);
   const double apart_m = stage.between(3.0, 14.0);
@@ -111,7 +111,7 @@ void stage_wall(Stage& stage) {
   walk(stage, {out_x, 0.0}, -kStreet_m, stage.random.chance(0.5));
 }
 
-void stage_rooms(Stage& stage) {
+void stage_rooms(HidingStage& stage) {
   constexpr int kRooms = 5, kFirst = 2;  // they go into the middle one
   const double depth_m = stage.between(4.0, 6.0);
   std::array<double, kRooms + 1> edge_m{};
@@ -119,20 +119,20 @@ void stage_rooms(Stage& stage) {
   for (int i = kFirst; i < kRooms; ++i) edge_m[i + 1] = edge_m[i] + stage.between(4.0, 6.0);
   for (int i = kFirst; i > 0; --i) edge_m[i - 1] = edge_m[i] - stage.between(4.0, 6.0);
   edge_m[kFirst + 1] = std::max(edge_m[kFirst + 1], 1.5);
-  const double end_m = edge_m[kRooms] + kWall_m;
+  const double end_m = edge_m[kRooms] + kThickness_m;
   set_bounds(stage.scenario, edge_m[0] - 10.0, end_m + 10.0, -8.0, depth_m + 1.0);
   const bool next_room = stage.random.chance(0.6);
   std::vector<Door> doors;
   for (int i = 0; i < kRooms; ++i) {
-    const double x = i == kFirst ? 0.0 : 0.5 * (edge_m[i] + edge_m[i + 1] + kWall_m);
+    const double x = i == kFirst ? 0.0 : 0.5 * (edge_m[i] + edge_m[i + 1] + kThickness_m);
     const bool wide = i != kFirst && stage.random.chance(0.5);
     doors.push_back({x, wide ? stage.wide_m() : stage.narrow_m()});
   }
   stage.wall_along_x(edge_m[0], end_m, 0.0, doors);
-  stage.box(edge_m[0], depth_m, end_m, depth_m + kWall_m);
+  stage.box(edge_m[0], depth_m, end_m, depth_m + kThickness_m);
   const Door between_rooms{stage.between(1.2, depth_m - 0.8), stage.narrow_m()};
   for (int i = 0; i <= kRooms; ++i)
-    stage.wall_along_y(edge_m[i], kWall_m, depth_m,
+    stage.wall_along_y(edge_m[i], kThickness_m, depth_m,
                        next_room && i == kFirst + 1 ? &between_rooms : nullptr);
   const double y = between_rooms.x_m;
   const double out_x = next_room ? doors[kFirst + 1].x_m : 0.0;
@@ -145,7 +145,7 @@ void stage_rooms(Stage& stage) {
   walk(stage, {out_x, 0.0}, -kStreet_m, stage.random.chance(0.5));
 }
 
-void stage_street(Stage& stage) {
+void stage_street(HidingStage& stage) {
   const double depth_m = stage.between(4.0, 10.0), left_m = stage.between(4.0, 9.0),
                right_m = stage.between(4.0, 9.0);
   const double half_m = 0.5 * stage.narrow_m();
@@ -174,7 +174,7 @@ void stage_street(Stage& stage) {
 }  // namespace
 
 void stage_hiding(HidingKind kind, Scenario& scenario) {
-  Stage stage{scenario, Random(seed_of(scenario, 7)), 1.0, {}};
+  HidingStage stage{scenario, Random(seed_of(scenario, 7)), 1.0, {}};
   scenario.world = World{};
   switch (kind) {
     case HidingKind::kWall:

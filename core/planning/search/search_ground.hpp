@@ -38,7 +38,8 @@ struct SearchGround {
     return x < 0 || y < 0 || x >= kGroundSide || y >= kGroundSide ? -1 : y * kGroundSide + x;
   }
   Vec2 center_of(int cell) const {
-    return corner_m + resolution_m * Vec2(cell % kGroundSide + 0.5, cell / kGroundSide + 0.5);
+    const int row = cell / kGroundSide, column = cell % kGroundSide;
+    return corner_m + resolution_m * Vec2(column + 0.5, row + 0.5);
   }
   bool is_walkable(int cell) const { return cell >= 0 && (what[cell] & kWall) == 0; }
 };

@@ -2,7 +2,7 @@
 // Where a vehicle may fly, as an operator writes it down:
 //
 //   fence_m: [[-20, -10], [20, -10], [20, 30], [-20, 30]]   # corners, world ENU; none: no fence
-//   altitude_min_m: 1.0                                      # either may be left out: no bound
+//   altitude_min_m: 1.0          # over the ground below; either may be left out: no bound
 //   altitude_max_m: 12.0
 #pragma once
 

@@ -16,7 +16,7 @@ struct Span {
 constexpr std::array<Span, 3> kSpans = {{{2.0, 5.0}, {5.0, 12.0}, {12.0, 1e9}}};
 constexpr double kShownEnd_s = 20.0;
 
-struct Pool {
+struct PooledHidings {
   HidingCell cell;
   std::vector<double> until_found_s;
 };
@@ -25,9 +25,9 @@ std::string kind_of(const FlightJob& job) {
   return job.cell.experiment.substr(job.cell.experiment.find('/') + 1);
 }
 
-Pool& pool_of(std::vector<Pool>& pools, const std::string& name, const FlightJob& job,
-              const Span& span) {
-  for (Pool& pool : pools)
+PooledHidings& pool_of(std::vector<PooledHidings>& pools, const std::string& name,
+                       const FlightJob& job, const Span& span) {
+  for (PooledHidings& pool : pools)
     if (pool.cell.name == name && pool.cell.method == job.cell.method &&
         pool.cell.map == job.cell.map && pool.cell.hidden_from_s == span.from_s)
       return pool;
@@ -38,10 +38,10 @@ Pool& pool_of(std::vector<Pool>& pools, const std::string& name, const FlightJob
   cell.hidden_from_s = span.from_s;
   cell.hidden_to_s = std::min(span.to_s, kShownEnd_s);
   cell.least_gap_m = std::numeric_limits<double>::infinity();
-  return pools.emplace_back(Pool{cell, {}});
+  return pools.emplace_back(PooledHidings{cell, {}});
 }
 
-void add(const HidingRecord& hiding, int wall_contacts, Pool& pool) {
+void add(const HidingRecord& hiding, int wall_contacts, PooledHidings& pool) {
   HidingCell& c = pool.cell;
   ++c.hidings;
   c.found += hiding.found_within(kFindWithin_s);
@@ -56,7 +56,7 @@ double quantile(std::vector<double>& values, double share) {
   return values[std::max<std::size_t>(i, 1) - 1];
 }
 
-HidingCell finished(Pool& pool) {
+HidingCell finished(PooledHidings& pool) {
   HidingCell& c = pool.cell;
   std::ranges::sort(pool.until_found_s);
   c.found_95 = wilson(c.found, c.hidings);
@@ -73,7 +73,7 @@ nlohmann::json time_or_null(double time_s) {
 
 std::vector<HidingCell> summarize_hidings(const std::vector<FlightJob>& jobs,
                                           const std::vector<RunRecord>& records) {
-  std::vector<Pool> pools;
+  std::vector<PooledHidings> pools;
   for (const bool all : {false, true})
     for (const Span& span : kSpans)
       for (std::size_t i = 0; i < jobs.size(); ++i)
@@ -81,11 +81,11 @@ std::vector<HidingCell> summarize_hidings(const std::vector<FlightJob>& jobs,
           if (hiding.hidden_s() >= span.from_s && hiding.hidden_s() < span.to_s)
             add(hiding, records[i].metrics.collisions,
                 pool_of(pools, all ? "all" : kind_of(jobs[i]), jobs[i], span));
-  std::ranges::stable_sort(pools, [](const Pool& a, const Pool& b) {
+  std::ranges::stable_sort(pools, [](const PooledHidings& a, const PooledHidings& b) {
     return (a.cell.name == "all") < (b.cell.name == "all");
   });
   std::vector<HidingCell> cells;
-  for (Pool& pool : pools) cells.push_back(finished(pool));
+  for (PooledHidings& pool : pools) cells.push_back(finished(pool));
   return cells;
 }
 
