@@ -97,6 +97,8 @@ function(foretrack_test folder)
   set_target_properties(test_${name} PROPERTIES UNITY_BUILD OFF)
   if(folder MATCHES "^core/")
     add_dependencies(core_tests test_${name})
+    set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${FORETRACK_UNITY}
+      UNITY_BUILD_BATCH_SIZE 8)
   endif()
   target_link_libraries(test_${name} PRIVATE foretrack_options ${ARG_DEPENDS}
     GTest::gmock GTest::gtest_main)

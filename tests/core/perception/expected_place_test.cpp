@@ -6,7 +6,7 @@
 namespace foretrack {
 namespace {
 
-const PerceptionParams kParams;
+const PerceptionParams kPlaceParams;
 
 /// A person who walks to the left before a hovering vehicle, last seen at 2 s.
 struct Seen {
@@ -30,10 +30,10 @@ struct Seen {
     o.stamp_s = stamp_s;
     o.position_enu_m = place;
     o.covariance_m2 = 1e-4 * Mat3::Identity();
-    perceive(state, o, history, kParams);
+    perceive(state, o, history, kPlaceParams);
   }
   std::optional<ExpectedPlace> at(double stamp_s) const {
-    return expected_place(state, history, camera, stamp_s, kParams);
+    return expected_place(state, history, camera, stamp_s, kPlaceParams);
   }
 };
 
@@ -46,7 +46,7 @@ TEST(ExpectedPlace, IsWhereThePersonWillBeInTheImageOfThatTime) {
     const CameraModel& c = seen.camera;
     EXPECT_NEAR(place->torso_px.x(), c.cx_px - c.fx_px * p.y() / p.x(), 2.0);
     EXPECT_NEAR(place->torso_px.y(), c.cy_px - c.fy_px * p.z() / p.x(), 2.0);
-    EXPECT_NEAR(place->body_px, c.fx_px * kParams.target_height_m / p.x(), 1.0);
+    EXPECT_NEAR(place->body_px, c.fx_px * kPlaceParams.target_height_m / p.x(), 1.0);
     EXPECT_FALSE(place->refused);
   }
 }
@@ -89,14 +89,14 @@ TEST(ExpectedPlace, BehindTheCameraItIsFarOutsideTheImageAndHasNoGate) {
 
 TEST(ExpectedPlace, NobodyIsExpectedBeforeAnybodyWasSeenOrOnceTheyAreLost) {
   const Seen seen;
-  EXPECT_FALSE(expected_place(PerceptionState(), seen.history, seen.camera, 1.0, kParams));
-  EXPECT_TRUE(seen.at(2.0 + 0.9 * kParams.lost_age_s));
-  EXPECT_FALSE(seen.at(2.1 + kParams.lost_age_s));
+  EXPECT_FALSE(expected_place(PerceptionState(), seen.history, seen.camera, 1.0, kPlaceParams));
+  EXPECT_TRUE(seen.at(2.0 + 0.9 * kPlaceParams.lost_age_s));
+  EXPECT_FALSE(seen.at(2.1 + kPlaceParams.lost_age_s));
 }
 
 TEST(ExpectedPlace, WithoutTheVehiclesPoseThereIsNone) {
   const Seen seen;
-  EXPECT_FALSE(expected_place(seen.state, VehicleHistory(), seen.camera, 2.0, kParams));
+  EXPECT_FALSE(expected_place(seen.state, VehicleHistory(), seen.camera, 2.0, kPlaceParams));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using test::torso_of;
 using test::vehicle_at;
 using test::Walk;
 
-const PerceptionParams kParams;
+const PerceptionParams kPerceiveParams;
 constexpr double kFrame_s = 1.0 / 30.0;
 
 TargetObservation position_at(double stamp_s, const Vec3& position, double sigma_m = 0.03) {
@@ -35,7 +35,7 @@ Vec3 walked(double t_s) {
 
 void walk_straight(PerceptionState& state, double from_s, double to_s) {
   for (double t = from_s; t < to_s; t += kFrame_s)
-    perceive(state, position_at(t, walked(t)), VehicleHistory(), kParams);
+    perceive(state, position_at(t, walked(t)), VehicleHistory(), kPerceiveParams);
 }
 
 TEST(Perceive, UsesTheVehiclesPoseAtTheImagesStamp) {
@@ -55,7 +55,7 @@ TEST(Perceive, UsesTheVehiclesPoseAtTheImagesStamp) {
   Random random(1);
   PerceptionState state;
   const auto o = observe(person, at_image, LandmarkNoise::none(), random);
-  const auto result = perceive(state, o, history, kParams);
+  const auto result = perceive(state, o, history, kPerceiveParams);
   EXPECT_EQ(result.status, PerceptionStatus::kStarted);
   EXPECT_LT((result.target.position_enu_m - torso_of(person)).norm(), 1e-4);
 }
@@ -70,7 +70,7 @@ TEST(Perceive, NamesEachReasonForRefusal) {
   const auto good = observe(person, vehicle, LandmarkNoise(), random);
   const auto status_of = [&](const TargetObservation& o, const VehicleHistory& h) {
     PerceptionState state;
-    const auto result = perceive(state, o, h, kParams);
+    const auto result = perceive(state, o, h, kPerceiveParams);
     EXPECT_EQ(result.target.status == TrackStatus::kNone,
               result.status != PerceptionStatus::kStarted);
     return result.status;
@@ -106,11 +106,11 @@ TEST(Perceive, LateMeasurementLeavesTheSameEstimateAsOneInTime) {
   for (int k = 0; k < 20; ++k)
     observations.push_back(position_at(
         kFrame_s * k, walked(kFrame_s * k) + 0.03 * Vec3(random.normal(), random.normal(), 0)));
-  for (const auto& o : observations) perceive(in_order, o, VehicleHistory(), kParams);
+  for (const auto& o : observations) perceive(in_order, o, VehicleHistory(), kPerceiveParams);
   std::swap(observations[8], observations[9]);
   std::swap(observations[12], observations[17]);
-  for (const auto& o : observations) perceive(shuffled, o, VehicleHistory(), kParams);
-  const auto a = coast(in_order, 1.0, kParams), b = coast(shuffled, 1.0, kParams);
+  for (const auto& o : observations) perceive(shuffled, o, VehicleHistory(), kPerceiveParams);
+  const auto a = coast(in_order, 1.0, kPerceiveParams), b = coast(shuffled, 1.0, kPerceiveParams);
   EXPECT_EQ(a.position_enu_m, b.position_enu_m);
   EXPECT_EQ(a.velocity_enu_m_s, b.velocity_enu_m_s);
   EXPECT_EQ(a.covariance, b.covariance);
@@ -123,7 +123,7 @@ TEST(Perceive, LateMeasurementsAreFilteredInWhenTheRingIsFull) {
   const double newest_s = state.entries.back().measurement.stamp_s;
   const double late_s = newest_s - 4.5 * kFrame_s;
   const auto result =
-      perceive(state, position_at(late_s, walked(late_s)), VehicleHistory(), kParams);
+      perceive(state, position_at(late_s, walked(late_s)), VehicleHistory(), kPerceiveParams);
   EXPECT_EQ(result.status, PerceptionStatus::kAccepted);
   EXPECT_EQ(state.entries.back().measurement.stamp_s, newest_s);
   for (int k = 1; k < state.count; ++k)
@@ -133,26 +133,27 @@ TEST(Perceive, LateMeasurementsAreFilteredInWhenTheRingIsFull) {
 TEST(Perceive, RefusesDuplicatesAndWhatIsTooOld) {
   PerceptionState state;
   walk_straight(state, 0.0, 0.9);
-  const auto before = coast(state, 1.0, kParams);
+  const auto before = coast(state, 1.0, kPerceiveParams);
   const double again_s = state.entries[state.count - 3].measurement.stamp_s;
   const auto status = [&](double stamp_s) {
-    return perceive(state, position_at(stamp_s, walked(stamp_s)), VehicleHistory(), kParams).status;
+    return perceive(state, position_at(stamp_s, walked(stamp_s)), VehicleHistory(), kPerceiveParams)
+        .status;
   };
   EXPECT_EQ(status(again_s), PerceptionStatus::kDuplicate);
   EXPECT_EQ(status(state.entries[state.count - 1].measurement.stamp_s),
             PerceptionStatus::kDuplicate);
   EXPECT_EQ(status(0.25), PerceptionStatus::kTooOld);
   EXPECT_EQ(status(-5.0), PerceptionStatus::kTooOld);
-  EXPECT_EQ(coast(state, 1.0, kParams).position_enu_m, before.position_enu_m);
+  EXPECT_EQ(coast(state, 1.0, kPerceiveParams).position_enu_m, before.position_enu_m);
 }
 
 TEST(Perceive, OneWildMeasurementDoesNotMoveTheEstimate) {
   PerceptionState state;
   walk_straight(state, 0.0, 1.0);
-  const auto result =
-      perceive(state, position_at(1.01, walked(1.01) + Vec3(0, 2, 0)), VehicleHistory(), kParams);
+  const auto result = perceive(state, position_at(1.01, walked(1.01) + Vec3(0, 2, 0)),
+                               VehicleHistory(), kPerceiveParams);
   EXPECT_EQ(result.status, PerceptionStatus::kGated);
-  EXPECT_GT(result.mahalanobis, kParams.gate_mahalanobis);
+  EXPECT_GT(result.mahalanobis, kPerceiveParams.gate_mahalanobis);
   EXPECT_LT((result.target.position_enu_m - walked(1.01)).norm(), 0.02);
 }
 
@@ -162,11 +163,12 @@ TEST(Perceive, AgreeingMeasurementsElsewhereStartTheTrackAnew) {
     PerceptionState state;
     walk_straight(state, 0.0, 1.0);
     const Vec3 elsewhere(1.0, 6.0, 1.2);
-    const int enough = doubtful ? kParams.reinitialise_doubtful_after : kParams.reinitialise_after;
+    const int enough =
+        doubtful ? kPerceiveParams.reinitialise_doubtful_after : kPerceiveParams.reinitialise_after;
     for (int k = 1; k <= enough; ++k) {
       TargetObservation observation = position_at(1.0 + kFrame_s * k, elsewhere);
       observation.doubtful = doubtful;
-      const auto result = perceive(state, observation, VehicleHistory(), kParams);
+      const auto result = perceive(state, observation, VehicleHistory(), kPerceiveParams);
       const bool last = k == enough;
       EXPECT_EQ(result.status, last ? PerceptionStatus::kStarted : PerceptionStatus::kGated) << k;
       EXPECT_EQ((result.target.position_enu_m - elsewhere).norm() < 0.1, last) << k;
@@ -181,22 +183,24 @@ TEST(Perceive, ScatteredWildMeasurementsNeverTakeTheTrack) {
   for (int k = 1; k <= 20; ++k) {
     const double t = 1.0 + kFrame_s * k;
     const Vec3 wild = walked(t) + 5.0 * direction_of(2.4 * k).homogeneous();
-    perceive(state, position_at(t, wild), VehicleHistory(), kParams);
+    perceive(state, position_at(t, wild), VehicleHistory(), kPerceiveParams);
   }
-  EXPECT_LT((coast(state, 1.7, kParams).position_enu_m - walked(1.7)).norm(), 0.2);
+  EXPECT_LT((coast(state, 1.7, kPerceiveParams).position_enu_m - walked(1.7)).norm(), 0.2);
 }
 
 TEST(Coast, GoesFromTrackingToCoastingToLost) {
   PerceptionState state;
-  EXPECT_EQ(coast(state, 0.0, kParams).status, TrackStatus::kNone);
+  EXPECT_EQ(coast(state, 0.0, kPerceiveParams).status, TrackStatus::kNone);
   walk_straight(state, 0.0, 2.0);
-  const double last_s = coast(state, 0.0, kParams).last_measurement_s;
-  const auto status = [&](double age_s) { return coast(state, last_s + age_s, kParams).status; };
+  const double last_s = coast(state, 0.0, kPerceiveParams).last_measurement_s;
+  const auto status = [&](double age_s) {
+    return coast(state, last_s + age_s, kPerceiveParams).status;
+  };
   EXPECT_EQ(status(0.0), TrackStatus::kTracking);
-  EXPECT_EQ(status(kParams.tracking_age_s - 0.01), TrackStatus::kTracking);
-  EXPECT_EQ(status(kParams.tracking_age_s + 0.01), TrackStatus::kCoasting);
-  EXPECT_EQ(status(kParams.lost_age_s - 0.01), TrackStatus::kCoasting);
-  EXPECT_EQ(status(kParams.lost_age_s + 0.01), TrackStatus::kLost);
+  EXPECT_EQ(status(kPerceiveParams.tracking_age_s - 0.01), TrackStatus::kTracking);
+  EXPECT_EQ(status(kPerceiveParams.tracking_age_s + 0.01), TrackStatus::kCoasting);
+  EXPECT_EQ(status(kPerceiveParams.lost_age_s - 0.01), TrackStatus::kCoasting);
+  EXPECT_EQ(status(kPerceiveParams.lost_age_s + 0.01), TrackStatus::kLost);
 }
 
 TEST(Coast, FollowsTheVelocityWithGrowingUncertainty) {
@@ -204,20 +208,20 @@ TEST(Coast, FollowsTheVelocityWithGrowingUncertainty) {
   walk_straight(state, 0.0, 2.0);
   double before = 0.0;
   for (double t = 2.0; t < 4.0; t += 0.1) {
-    const auto target = coast(state, t, kParams);
+    const auto target = coast(state, t, kPerceiveParams);
     EXPECT_EQ(target.stamp_s, t);
     EXPECT_LT((target.position_enu_m - walked(t)).norm(), 0.1);
     EXPECT_GT(target.covariance(0, 0), before);
     before = target.covariance(0, 0);
   }
-  EXPECT_LT(coast(state, 4.0, kParams).covariance(2, 2), before);  // height hardly changes
+  EXPECT_LT(coast(state, 4.0, kPerceiveParams).covariance(2, 2), before);  // height hardly changes
 }
 
 TEST(Coast, TrackStartsAnewAfterALoss) {
   PerceptionState state;
   walk_straight(state, 0.0, 1.0);
   const auto result =
-      perceive(state, position_at(9.0, Vec3(-3, 0, 1.2)), VehicleHistory(), kParams);
+      perceive(state, position_at(9.0, Vec3(-3, 0, 1.2)), VehicleHistory(), kPerceiveParams);
   EXPECT_EQ(result.status, PerceptionStatus::kStarted);
   EXPECT_EQ(result.target.status, TrackStatus::kTracking);
   EXPECT_EQ(result.target.position_enu_m, Vec3(-3, 0, 1.2));
@@ -227,7 +231,7 @@ TEST(Perceive, MissingMeasurementsAreBridged) {
   PerceptionState state;
   walk_straight(state, 0.0, 1.0);
   walk_straight(state, 1.8, 2.2);
-  const auto target = coast(state, 2.2, kParams);
+  const auto target = coast(state, 2.2, kPerceiveParams);
   EXPECT_LT((target.velocity_enu_m_s - Vec3(1, 0, 0)).norm(), 0.05);
 }
 
@@ -240,9 +244,9 @@ TEST(Perceive, BodyYawCrossesHalfATurnAndIgnoresFlips) {
     auto o = position_at(t, walked(t));
     o.body_yaw_rad = wrap_angle(k % 10 == 9 ? yaw + kPi : yaw);
     o.body_yaw_variance_rad2 = 0.02;
-    perceive(state, o, VehicleHistory(), kParams);
+    perceive(state, o, VehicleHistory(), kPerceiveParams);
   }
-  EXPECT_NEAR(wrap_angle(coast(state, 3.0, kParams).body_yaw_rad - yaw), 0.0, 0.1);
+  EXPECT_NEAR(wrap_angle(coast(state, 3.0, kPerceiveParams).body_yaw_rad - yaw), 0.0, 0.1);
 }
 
 TEST(Perceive, SameInputGivesTheSameEstimate) {
@@ -256,7 +260,8 @@ TEST(Perceive, SameInputGivesTheSameEstimate) {
       const auto vehicle =
           vehicle_at(kFrame_s * k, person.hips_enu_m - Vec3(2, 0.3, -0.4), person.hips_enu_m);
       history.add(vehicle);
-      result = perceive(state, observe(person, vehicle, {}, random), history, kParams).target;
+      result =
+          perceive(state, observe(person, vehicle, {}, random), history, kPerceiveParams).target;
     }
   }
   EXPECT_EQ(results[0].position_enu_m, results[1].position_enu_m);
@@ -275,8 +280,8 @@ TEST(Perceive, AllocatesNothing) {
     history.add(vehicle);
     const auto o = observe(person, vehicle, {}, random);
     const long before = allocation_count();
-    perceive(state, o, history, kParams);
-    coast(state, o.stamp_s + 0.1, kParams);
+    perceive(state, o, history, kPerceiveParams);
+    coast(state, o.stamp_s + 0.1, kPerceiveParams);
     EXPECT_EQ(allocation_count(), before);
   }
 }

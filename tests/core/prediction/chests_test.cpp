@@ -15,7 +15,7 @@ namespace {
 
 using testing::walker;
 
-constexpr double kStep_s = 0.04, kWalk_s = 60.0, kSpeed_m_s = 2.0, kAhead_s = 0.5;
+constexpr double kChestStep_s = 0.04, kWalk_s = 60.0, kSpeed_m_s = 2.0, kAhead_s = 0.5;
 // Of a second-order filter at 8 rad/s, about as slow as the tracker's.
 constexpr double kPositionGain = 0.45, kVelocityGain_hz = 2.56;
 
@@ -97,11 +97,11 @@ Errors walk(const Chest& chest, std::uint64_t seed) {
   PlanarState filtered{Vec2::Zero(), course.velocity_m_s(0.0)};
   Vec2 place_m = Vec2::Zero();
   std::vector<std::pair<Vec2, Vec2>> told;  // by network and filter, one a step
-  for (int k = 1; k * kStep_s < kWalk_s; ++k) {
-    const double t = k * kStep_s;
-    place_m += kStep_s * course.velocity_m_s(t);
+  for (int k = 1; k * kChestStep_s < kWalk_s; ++k) {
+    const double t = k * kChestStep_s;
+    place_m += kChestStep_s * course.velocity_m_s(t);
     const Vec2 measured_m = place_m + 0.03 * Vec2(noise.normal(), noise.normal());
-    filtered = advance(MotionModel::constant_velocity(), filtered, kStep_s);
+    filtered = advance(MotionModel::constant_velocity(), filtered, kChestStep_s);
     const Vec2 innovation_m = measured_m - filtered.position_m;
     filtered.position_m += kPositionGain * innovation_m;
     filtered.velocity_m_s += kVelocityGain_hz * innovation_m;
@@ -110,7 +110,7 @@ Errors walk(const Chest& chest, std::uint64_t seed) {
     const PlanarState soon = observe_motion(memory, target, params).soon;
     told.emplace_back(soon.position_m + (kAhead_s - ShortTermMotion::kSoon_s) * soon.velocity_m_s,
                       filtered.position_m + kAhead_s * filtered.velocity_m_s);
-    const int then = k - 1 - static_cast<int>(kAhead_s / kStep_s + 0.5);
+    const int then = k - 1 - static_cast<int>(kAhead_s / kChestStep_s + 0.5);
     if (then < 0) continue;
     errors.told_m2 += (told[static_cast<std::size_t>(then)].first - place_m).squaredNorm();
     errors.filter_m2 += (told[static_cast<std::size_t>(then)].second - place_m).squaredNorm();
@@ -143,7 +143,7 @@ TEST(Chests, IntentionsAreToldWithoutOneThatNeverCameTrue) {
   const PredictionParams params;
   const GridMap map = testing::open_field();
   double most = 0.0;
-  for (double t = kStep_s; t < 6.0; t += kStep_s) {
+  for (double t = kChestStep_s; t < 6.0; t += kChestStep_s) {
     // Straight on along x, the chest swaying by 60° at 0.5 Hz.
     TargetState target = walker({-6.0 + 1.5 * t, 0.0}, {1.5, 0.0}, t);
     target.body_yaw_rad = rad(60.0) * std::sin(kPi * t);

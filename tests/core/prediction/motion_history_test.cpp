@@ -6,13 +6,13 @@
 namespace foretrack {
 namespace {
 
-MotionHistory::Sample walking(double stamp_s) {
+MotionHistory::Sample sample_of_walk(double stamp_s) {
   return {stamp_s, {Vec2(1.5 * stamp_s, 0.0), Vec2(1.5, 0.0)}, 0.0, 0.0};
 }
 
 MotionHistory walked(double from_s, double to_s, double step_s) {
   MotionHistory history;
-  for (double t = from_s; t < to_s + 1e-9; t += step_s) remember(history, walking(t));
+  for (double t = from_s; t < to_s + 1e-9; t += step_s) remember(history, sample_of_walk(t));
   return history;
 }
 
@@ -42,23 +42,23 @@ TEST(MotionHistory, ForgetsTheOldestWhenItIsFull) {
 TEST(MotionHistory, BeginsAnewAfterAGapAJumpOrAStampThatGoesBack) {
   const MotionHistory before = walked(0.0, 1.0, 0.04);
   MotionHistory history = before;
-  remember(history, walking(1.9));
+  remember(history, sample_of_walk(1.9));
   EXPECT_EQ(history.count, before.count + 1) << "where they led in 0.9 s";
   history = before;
-  MotionHistory::Sample corrected = walking(1.04);
+  MotionHistory::Sample corrected = sample_of_walk(1.04);
   corrected.measured.position_m.y() = 0.2;
   remember(history, corrected);
   EXPECT_EQ(history.count, before.count + 1) << "a filter may correct itself";
   history = before;
-  remember(history, walking(2.1));
+  remember(history, sample_of_walk(2.1));
   EXPECT_EQ(history.count, 1) << "a gap";
   history = before;
-  MotionHistory::Sample elsewhere = walking(1.04);
+  MotionHistory::Sample elsewhere = sample_of_walk(1.04);
   elsewhere.measured.position_m.y() = 1.1;
   remember(history, elsewhere);
   EXPECT_EQ(history.count, 1) << "somebody else";
   history = before;
-  remember(history, walking(0.5));
+  remember(history, sample_of_walk(0.5));
   EXPECT_EQ(history.count, 1) << "back in time";
   EXPECT_NEAR(history.back(0).stamp_s, 0.5, 1e-9);
 }

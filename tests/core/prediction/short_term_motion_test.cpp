@@ -13,9 +13,9 @@ namespace {
 
 using testing::walker;
 
-constexpr double kStep_s = 0.03, kLead_s = 0.3;
+constexpr double kMotionStep_s = 0.03, kLead_s = 0.3;
 // Of a second-order filter at 8 rad/s, about as slow as the tracker's.
-constexpr double kPositionGain = 0.34, kVelocityGain_hz = 1.9;
+constexpr double kMotionPositionGain = 0.34, kMotionVelocityGain_hz = 1.9;
 
 // A walk of so many seconds at velocity_m_s(t), as a filter sees it that lags; the chest is kLead_s
 // early. At its end: what was believed, and what is true.
@@ -30,13 +30,13 @@ Watched watch(const std::function<Vec2(double)>& velocity_m_s, double duration_s
   Watched w;
   PlanarState filtered{Vec2::Zero(), velocity_m_s(0.0)};
   double body_yaw_rad = 0.0;
-  for (double t = kStep_s; t < duration_s; t += kStep_s) {
+  for (double t = kMotionStep_s; t < duration_s; t += kMotionStep_s) {
     w.truth.velocity_m_s = velocity_m_s(t);
-    w.truth.position_m += kStep_s * w.truth.velocity_m_s;
-    filtered = advance(MotionModel::constant_velocity(), filtered, kStep_s);
+    w.truth.position_m += kMotionStep_s * w.truth.velocity_m_s;
+    filtered = advance(MotionModel::constant_velocity(), filtered, kMotionStep_s);
     const Vec2 innovation = w.truth.position_m - filtered.position_m;
-    filtered.position_m += kPositionGain * innovation;
-    filtered.velocity_m_s += kVelocityGain_hz * innovation;
+    filtered.position_m += kMotionPositionGain * innovation;
+    filtered.velocity_m_s += kMotionVelocityGain_hz * innovation;
     w.target = walker(filtered.position_m, filtered.velocity_m_s, t);
     const Vec2 soon_m_s = velocity_m_s(t + kLead_s);
     if (soon_m_s.norm() > 0.1) body_yaw_rad = yaw_of(soon_m_s);

@@ -10,14 +10,14 @@
 namespace foretrack {
 namespace {
 
-constexpr double kStep_s = 0.05;
+constexpr double kTrustStep_s = 0.05;
 
 // A walk along x at 2 m/s, of which each forecaster tells a velocity that is so far aside.
 struct Told {
   ShortTermTrust trust;
   double stamp_s = 0.0;
   void walk(double for_s, const ByForecaster<double>& aside_m_s) {
-    for (const double end_s = stamp_s + for_s; stamp_s < end_s - 1e-9; stamp_s += kStep_s) {
+    for (const double end_s = stamp_s + for_s; stamp_s < end_s - 1e-9; stamp_s += kTrustStep_s) {
       const PlanarState measured{{2.0 * stamp_s, 0.0}, {2.0, 0.0}};
       judge(trust, stamp_s, measured);
       ByForecaster<ShortTermMotion> said;

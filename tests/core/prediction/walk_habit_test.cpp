@@ -10,12 +10,12 @@
 namespace foretrack {
 namespace {
 
-constexpr double kStep_s = 0.04;
+constexpr double kHabitStep_s = 0.04;
 constexpr double kPace_m_s = 1.4, kWalking_m_s = 0.2;
 
 // Walks on for so long, with a turn of a second at every `every_s`.
 void walk(WalkHabit& habit, double& now_s, double for_s, double every_s) {
-  for (const double until_s = now_s + for_s; now_s < until_s; now_s += kStep_s) {
+  for (const double until_s = now_s + for_s; now_s < until_s; now_s += kHabitStep_s) {
     const bool turning = std::fmod(now_s, every_s) > every_s - 1.0;
     follow(habit, {now_s, turning ? rad(60.0) : 0.0, kPace_m_s}, kWalking_m_s);
   }
@@ -41,14 +41,14 @@ TEST(WalkHabit, FallsWhileTheTargetWalksStraightOn) {
 TEST(WalkHabit, CountsATurnOnceThoughItsAngleWavers) {
   WalkHabit habit;
   for (int i = 0; i < 25; ++i)
-    follow(habit, {i * kStep_s, rad(i % 2 ? 35.0 : 25.0), kPace_m_s}, kWalking_m_s);
+    follow(habit, {i * kHabitStep_s, rad(i % 2 ? 35.0 : 25.0), kPace_m_s}, kWalking_m_s);
   EXPECT_NEAR(habit.turns, 1.0, 0.05);
   EXPECT_EQ(habit.straight_s, 0.0);
 }
 
 // Walks for so long, with a stand of a second at the end of every `every_s`.
 void walk_and_stop(WalkHabit& habit, double& now_s, double for_s, double every_s) {
-  for (const double until_s = now_s + for_s; now_s < until_s; now_s += kStep_s) {
+  for (const double until_s = now_s + for_s; now_s < until_s; now_s += kHabitStep_s) {
     const bool stands = std::fmod(now_s, every_s) > every_s - 1.0;
     follow(habit, {now_s, 0.0, stands ? 0.05 : kPace_m_s}, kWalking_m_s);
   }
@@ -65,9 +65,9 @@ TEST(WalkHabit, NearsTheRateAtWhichTheTargetStops) {
 
 TEST(WalkHabit, DoesNotTakeASlowStepOrTheFirstStandForAStop) {
   WalkHabit habit;
-  for (int i = 0; i < 25; ++i) follow(habit, {i * kStep_s, 0.0, 0.0}, kWalking_m_s);
+  for (int i = 0; i < 25; ++i) follow(habit, {i * kHabitStep_s, 0.0, 0.0}, kWalking_m_s);
   for (int i = 25; i < 200; ++i)
-    follow(habit, {i * kStep_s, 0.0, i % 2 ? 0.7 : 0.35}, kWalking_m_s);
+    follow(habit, {i * kHabitStep_s, 0.0, i % 2 ? 0.7 : 0.35}, kWalking_m_s);
   EXPECT_EQ(habit.stops, 0.0);
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 using Request = AutopilotRequest;
 
-struct Flying : FlightLoop {
-  Flying() {
+struct FlightAtLimits : FlightLoop {
+  FlightAtLimits() {
     take_off_and_track();
     EXPECT_EQ(result.mode, SafetyMode::kTrack);
     autopilot.asked = {};
@@ -27,7 +27,7 @@ FlightBounds fence() {
 }
 
 TEST(WatchLimits, OutsideOfTheFenceItHoldsUntilItIsWellInsideAgain) {
-  Flying loop;
+  FlightAtLimits loop;
   loop.state.mission.bounds = fence();
   loop.vehicle.position_enu_m.x() = 0.0;
   EXPECT_EQ(loop.run_with_plans(1.0).mode, SafetyMode::kTrack);
@@ -48,7 +48,7 @@ TEST(WatchLimits, OutsideOfTheFenceItHoldsUntilItIsWellInsideAgain) {
 }
 
 TEST(WatchLimits, AtTheFencesEdgeItDoesNotFlicker) {
-  Flying loop;
+  FlightAtLimits loop;
   loop.state.mission.bounds = fence();
   for (double x_m = 0.1; x_m < 2.0; x_m += 0.1) {
     loop.displaced = Vec3(x_m, 0, 1.5);
@@ -71,7 +71,7 @@ TEST(WatchLimits, OutsideOfTheAltitudesItHoldsButBeginsOnTheGround) {
   ground.vehicle.position_enu_m.z() = 0.0;
   ground.take_off_and_track();
   EXPECT_EQ(ground.result.mode, SafetyMode::kTrack);
-  Flying loop;
+  FlightAtLimits loop;
   loop.params.altitude_min_m = 1.0;
   loop.run_with_plans(0.5);
   for (double z_m = 1.5; z_m > 0.9; z_m -= 0.1) {
@@ -80,14 +80,14 @@ TEST(WatchLimits, OutsideOfTheAltitudesItHoldsButBeginsOnTheGround) {
   }
   loop.run_with_plans(1.0);
   EXPECT_EQ(loop.result.reason, SafetyReason::kAltitude);
-  Flying high;
+  FlightAtLimits high;
   high.params.altitude_max_m = 1.4;
   high.state.limits = {};  // as of a gate that was started again
   EXPECT_EQ(high.run_with_plans(1.0).reason, SafetyReason::kAltitude);
 }
 
 TEST(WatchLimits, AltitudesCountFromTheGroundBelowAsItWasSeenLast) {
-  Flying loop;
+  FlightAtLimits loop;
   loop.params.altitude_min_m = 1.0;
   EXPECT_EQ(loop.run_with_plans(1.0).mode, SafetyMode::kTrack);
   GridMap higher = open_map();
@@ -104,7 +104,7 @@ TEST(WatchLimits, AltitudesCountFromTheGroundBelowAsItWasSeenLast) {
 }
 
 TEST(WatchLimits, AtTheBatterysReserveItIsSentHomeOnce) {
-  Flying loop;
+  FlightAtLimits loop;
   BatteryState battery;
   loop.extra.battery = &battery;
   battery.remaining = 0.2;
@@ -122,7 +122,7 @@ TEST(WatchLimits, AtTheBatterysReserveItIsSentHomeOnce) {
 TEST(WatchLimits, TheReactionIsAParameterAndNoneIsOne) {
   BatteryState battery;
   battery.remaining = 0.05;
-  Flying land, none, off;
+  FlightAtLimits land, none, off;
   land.params.battery_reaction = static_cast<int>(Reaction::kLand);
   none.params.battery_reaction = static_cast<int>(Reaction::kNone);
   off.params.battery_reserve = 0.0;
@@ -138,9 +138,9 @@ TEST(WatchLimits, TheReactionIsAParameterAndNoneIsOne) {
 }
 
 TEST(WatchLimits, WithoutAStationItFliesUnlessOneWasAskedFor) {
-  Flying alone;
+  FlightAtLimits alone;
   EXPECT_EQ(alone.run_with_plans(60.0).mode, SafetyMode::kTrack);
-  Flying asked;
+  FlightAtLimits asked;
   asked.params.link_timeout_s = 2.0;
   asked.state.limits.since_s = asked.now_s;
   EXPECT_EQ(asked.run_with_plans(1.9).mode, SafetyMode::kTrack);
@@ -153,13 +153,13 @@ TEST(WatchLimits, WithoutAStationItFliesUnlessOneWasAskedFor) {
 }
 
 TEST(WatchLimits, EachLimitSendsItHomeOrDownAndSaysWhy) {
-  Flying link;
+  FlightAtLimits link;
   link.params.link_timeout_s = 2.0;
   link.params.link_reaction = static_cast<int>(Reaction::kReturn);
   link.run_with_plans(5.0);
   EXPECT_EQ(link.result.phase, MissionPhase::kReturning);
   EXPECT_EQ(link.result.end, MissionEnd::kLink);
-  Flying fenced;
+  FlightAtLimits fenced;
   fenced.params.fence_reaction = static_cast<int>(Reaction::kLand);
   fenced.state.mission.bounds = fence();
   for (double x_m = 0.1; x_m < 2.15; x_m += 0.1) {
@@ -172,7 +172,7 @@ TEST(WatchLimits, EachLimitSendsItHomeOrDownAndSaysWhy) {
 }
 
 TEST(WatchLimits, AHoldingMissionIsNotSentHomeByALimit) {
-  Flying loop;
+  FlightAtLimits loop;
   BatteryState battery;
   battery.remaining = 0.05;
   loop.order(MissionOrder::kHold);

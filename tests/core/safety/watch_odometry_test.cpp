@@ -11,8 +11,8 @@
 namespace foretrack::testing {
 namespace {
 
-struct Flying : FlightLoop {
-  Flying() {
+struct FlyingOdometry : FlightLoop {
+  FlyingOdometry() {
     take_off_and_track();
     const auto plan = straight_plan(++last_plan, stamp_now_s() + kTick_s);
     tick(&plan);
@@ -26,7 +26,7 @@ struct Flying : FlightLoop {
 };
 
 TEST(WatchOdometry, AJumpBrakesAndIsSaidUntilTheOdometryHasSettled) {
-  Flying loop;
+  FlyingOdometry loop;
   loop.displaced = loop.vehicle.position_enu_m + Vec3(0, 5, 0);
   loop.tick();
   EXPECT_EQ(loop.result.mode, SafetyMode::kBrake);
@@ -40,13 +40,13 @@ TEST(WatchOdometry, AJumpBrakesAndIsSaidUntilTheOdometryHasSettled) {
 }
 
 TEST(WatchOdometry, AJumpOfASmallUpdateIsNone) {
-  Flying loop;
+  FlyingOdometry loop;
   loop.displaced = loop.vehicle.position_enu_m + Vec3(0, 0.3, 0);
   EXPECT_EQ(loop.tick().mode, SafetyMode::kTrack);
 }
 
 TEST(WatchOdometry, FrozenWithNewStampsBrakesOnceMotionIsCommanded) {
-  Flying loop;
+  FlyingOdometry loop;
   loop.displaced = loop.vehicle.position_enu_m;
   double braked_s = -1.0;
   for (int i = 0; i < 300 && braked_s < 0.0; ++i)
@@ -69,7 +69,7 @@ TEST(WatchOdometry, AFastCommandGivesTheVehicleTimeToBeginToMove) {
 }
 
 TEST(WatchOdometry, AFrozenOneIsBelievedAgainWhenItStirsAndNotBefore) {
-  Flying loop;
+  FlyingOdometry loop;
   loop.displaced = loop.vehicle.position_enu_m;
   loop.run(1.8);
   ASSERT_EQ(loop.result.reason, SafetyReason::kOdometryFrozen);

@@ -26,7 +26,7 @@ struct Saying {
   Probabilities p;
 };
 
-IntentionScorer score(const Truth& truth, const std::vector<Saying>& sayings) {
+IntentionScorer scored(const Truth& truth, const std::vector<Saying>& sayings) {
   std::vector<SaidIntention> said;
   for (int i = 0; i < truth.count(); i += 2) {
     said.push_back({i * kStep_s, kForward});
@@ -43,7 +43,7 @@ TEST(IntentionScorer, LeadCountsFromTheEndOfTheHoldAndOtherAnnouncementsAreFalse
   const Truth truth = left_turn(12.0, 4.0);
   const double onset_s = turns_of(truth)[0].begin_s;
   const auto report =
-      score(truth, {{1.0, 1.2, kLeft}, {3.52, 4.6, kLeft}, {8.0, 8.2, kRight}}).report();
+      scored(truth, {{1.0, 1.2, kLeft}, {3.52, 4.6, kLeft}, {8.0, 8.2, kRight}}).report();
   ASSERT_EQ(report.turns.events, 1);
   EXPECT_EQ(report.turns.by_onset, 1);
   EXPECT_NEAR(report.turns.median_lead_s, onset_s - 3.6, 1e-9);
@@ -52,15 +52,15 @@ TEST(IntentionScorer, LeadCountsFromTheEndOfTheHoldAndOtherAnnouncementsAreFalse
 
 TEST(IntentionScorer, FlickerAnnouncesNothingAndGapsAreForgiven) {
   const Truth truth = left_turn(12.0, 4.0);
-  const auto flicker = score(truth, {{1.0, 1.05, kLeft}, {8.0, 8.05, kRight}}).report();
+  const auto flicker = scored(truth, {{1.0, 1.05, kLeft}, {8.0, 8.05, kRight}}).report();
   EXPECT_EQ(flicker.turns.false_alarms_per_min, 0.0);
   EXPECT_EQ(flicker.turns.median_lead_s, -1.0);
-  const auto gap = score(truth, {{3.4, 3.6, kLeft}, {3.76, 4.6, kLeft}}).report();
+  const auto gap = scored(truth, {{3.4, 3.6, kLeft}, {3.76, 4.6, kLeft}}).report();
   EXPECT_NEAR(gap.turns.median_lead_s, turns_of(truth)[0].begin_s - 3.48, 1e-9);
 }
 
 TEST(IntentionScorer, TheWrongSideAnnouncesATurnButNotThisOne) {
-  const auto report = score(left_turn(12.0, 4.0), {{3.6, 4.5, kRight}}).report();
+  const auto report = scored(left_turn(12.0, 4.0), {{3.6, 4.5, kRight}}).report();
   EXPECT_EQ(report.turns.by_onset, 0);
   EXPECT_EQ(report.either_turn.by_onset, 1);
   EXPECT_GT(report.turns.false_alarms_per_min, 0.0);
@@ -68,14 +68,14 @@ TEST(IntentionScorer, TheWrongSideAnnouncesATurnButNotThisOne) {
 }
 
 TEST(IntentionScorer, AStopIsAnnouncedLateForNothingForetellsIt) {
-  const auto report = score(sudden_stop(12.0, 4.0), {{4.2, 4.6, kBrake}}).report();
+  const auto report = scored(sudden_stop(12.0, 4.0), {{4.2, 4.6, kBrake}}).report();
   ASSERT_EQ(report.stops.events, 1);
   EXPECT_NEAR(report.stops.median_lead_s, -0.28, 0.03);
   EXPECT_EQ(report.stops.false_alarms_per_min, 0.0);
 }
 
 TEST(IntentionScorer, ATurnBackIsAnnouncedByItsOwnProbability) {
-  const auto report = score(turn_back(12.0, 4.0), {{3.0, 4.4, kBack}}).report();
+  const auto report = scored(turn_back(12.0, 4.0), {{3.0, 4.4, kBack}}).report();
   ASSERT_EQ(report.turn_backs.events, 1);
   EXPECT_EQ(report.turn_backs.by_onset, 1);
   EXPECT_NEAR(report.turn_backs.median_lead_s, 4.0 - 3.08, 0.03);

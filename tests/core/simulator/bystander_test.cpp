@@ -8,7 +8,7 @@
 namespace foretrack {
 namespace {
 
-BystanderSpec walker(std::vector<Vec2> route_m) {
+BystanderSpec bystander_on(std::vector<Vec2> route_m) {
   BystanderSpec spec;
   spec.route_m = std::move(route_m);
   spec.speed_m_s = 1.0;
@@ -23,13 +23,13 @@ Vec2 place_after(const BystanderSpec& spec, double for_s) {
 }
 
 TEST(Bystander, WalksToTheEndOfTheRouteAndStandsThere) {
-  const BystanderSpec spec = walker({{0, 0}, {3, 0}});
+  const BystanderSpec spec = bystander_on({{0, 0}, {3, 0}});
   EXPECT_NEAR(place_after(spec, 2.0).x(), 2.0, 0.25);
   EXPECT_NEAR((place_after(spec, 10.0) - Vec2(3, 0)).norm(), 0.0, 1e-6);
 }
 
 TEST(Bystander, GoesRoundAgainWhereTheRouteIsALoop) {
-  BystanderSpec spec = walker({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  BystanderSpec spec = bystander_on({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   spec.loop = true;
   Person person = make_bystander(spec, 0.0, 30.0);
   double nearest_late_m = 1e9;
@@ -43,7 +43,7 @@ TEST(Bystander, GoesRoundAgainWhereTheRouteIsALoop) {
 }
 
 TEST(Bystander, StopsWhenToldTo) {
-  BystanderSpec spec = walker({{0, 0}, {20, 0}});
+  BystanderSpec spec = bystander_on({{0, 0}, {20, 0}});
   spec.walk.stops = {{2.0, 3.0}};
   EXPECT_NEAR((place_after(spec, 4.8) - place_after(spec, 3.0)).norm(), 0.0, 1e-6);
   EXPECT_GT(place_after(spec, 7.0).x(), place_after(spec, 4.8).x() + 1.0);
@@ -54,7 +54,7 @@ Scenario one_between() {
   Scenario scenario;
   scenario.target.route_m = {{0, 0}, {0.5, 0}};
   scenario.vehicle_enu_m = Vec3(-4, 0, 1.2);
-  scenario.bystanders = {walker({{-2, 0}})};
+  scenario.bystanders = {bystander_on({{-2, 0}})};
   return scenario;
 }
 

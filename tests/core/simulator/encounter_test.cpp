@@ -24,7 +24,7 @@ void for_all(Check check) {
   for (std::size_t kind = 0; kind < kEncounterKindNames.size(); ++kind)
     for (const double speed_m_s : kSpeeds_m_s)
       for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        SCOPED_TRACE(testing::Message()
+        SCOPED_TRACE(::testing::Message()
                      << kEncounterKindNames[kind] << " " << speed_m_s << " " << seed);
         check(staged(static_cast<EncounterKind>(kind), speed_m_s, seed), speed_m_s);
       }

@@ -9,7 +9,7 @@ namespace foretrack {
 namespace {
 
 template <class Check>
-void for_all(Check check) {
+void for_all_hidings(Check check) {
   for (std::size_t kind = 0; kind < kHidingKindNames.size(); ++kind)
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       SCOPED_TRACE(::testing::Message() << kHidingKindNames[kind] << " " << seed);
@@ -21,7 +21,7 @@ void for_all(Check check) {
 }
 
 TEST(Hiding, EverySceneCanBeFlownAndNobodyWalksThroughWalls) {
-  for_all([](const Scenario& s) {
+  for_all_hidings([](const Scenario& s) {
     const World world = world_of(s);
     for (std::size_t i = 0; i + 1 < s.target.route_m.size(); ++i)
       EXPECT_GE(ground_clearance_m(world, s.target.route_m[i], s.target.route_m[i + 1]), 0.29);
@@ -30,7 +30,7 @@ TEST(Hiding, EverySceneCanBeFlownAndNobodyWalksThroughWalls) {
 }
 
 TEST(Hiding, PeopleWalkAsTheyAreSaidToAndLongEnoughAfter) {
-  for_all([](const Scenario& s) {
+  for_all_hidings([](const Scenario& s) {
     EXPECT_GE(s.target.speed_m_s, 0.5);
     EXPECT_LE(s.target.speed_m_s, 1.5);
     const auto& route = s.target.route_m;

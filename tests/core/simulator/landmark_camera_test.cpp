@@ -6,7 +6,8 @@
 namespace foretrack {
 namespace {
 
-VehicleState vehicle_at(const Vec3& p, double yaw, double pitch = 0.0, double stamp_s = 0.0) {
+VehicleState vehicle_seeing_at(const Vec3& p, double yaw, double pitch = 0.0,
+                               double stamp_s = 0.0) {
   VehicleState v;
   v.stamp_s = stamp_s;
   v.position_enu_m = p;
@@ -14,7 +15,7 @@ VehicleState vehicle_at(const Vec3& p, double yaw, double pitch = 0.0, double st
       Quat(Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()));
   return v;
 }
-PersonState person_at(double x, double y) {
+PersonState person_seen_at(double x, double y) {
   PersonState p;
   p.position_enu_m = {x, y, torso_height_m(1.75)};
   return p;
@@ -27,8 +28,8 @@ LandmarkCameraParams noiseless() {
 
 TEST(LandmarkCamera, WithoutNoiseLandmarksAreTheProjectedJoints) {
   LandmarkCamera camera = make_landmark_camera(noiseless(), 1);
-  const VehicleState vehicle = vehicle_at({0, 0, 1.5}, 0.2, 0.1);
-  PersonState person = person_at(2.5, 0.6);
+  const VehicleState vehicle = vehicle_seeing_at({0, 0, 1.5}, 0.2, 0.1);
+  PersonState person = person_seen_at(2.5, 0.6);
   person.body_yaw_rad = 2.0;
   const auto observation = observe(camera, {}, vehicle, person, 1.75);
   ASSERT_TRUE(observation);
@@ -55,9 +56,9 @@ TEST(LandmarkCamera, NoiseHasTheStatedSizeAndLasts) {
   double square_px = 0.0, square_m = 0.0, lagged_px = 0.0, last = 0.0;
   const int n = 3000;
   for (int i = 0; i < n; ++i) {
-    const auto vehicle = vehicle_at({0, 0, 1.5}, 0.0, 0.0, i / 30.0);
-    const auto noisy = observe(camera, {}, vehicle, person_at(3, 0), 1.75);
-    const auto exact = observe(clean, {}, vehicle, person_at(3, 0), 1.75);
+    const auto vehicle = vehicle_seeing_at({0, 0, 1.5}, 0.0, 0.0, i / 30.0);
+    const auto noisy = observe(camera, {}, vehicle, person_seen_at(3, 0), 1.75);
+    const auto exact = observe(clean, {}, vehicle, person_seen_at(3, 0), 1.75);
     ASSERT_TRUE(noisy && exact);
     const double error = (noisy->landmarks[11].image_px - exact->landmarks[11].image_px).x();
     square_px += error * error / n;
@@ -78,8 +79,8 @@ TEST(LandmarkCamera, TakesLeftForRightForAsLongAsItIsTold) {
     int flipped = 0, n = 1500;
     bool before = false;
     for (int i = 0; i < n; ++i) {
-      const auto vehicle = vehicle_at({0, 0, 1.5}, 0.0, 0.0, i / 30.0);
-      const auto seen = observe(camera, {}, vehicle, person_at(3, 0), 1.75);
+      const auto vehicle = vehicle_seeing_at({0, 0, 1.5}, 0.0, 0.0, i / 30.0);
+      const auto seen = observe(camera, {}, vehicle, person_seen_at(3, 0), 1.75);
       EXPECT_TRUE(seen);
       // The person looks away from the camera: their left shoulder is on the image's left.
       const auto& marks = seen->landmarks;
@@ -106,8 +107,8 @@ TEST(LandmarkCamera, DeliversLaterWithTheStampOfTheImage) {
   LandmarkCamera camera = make_landmark_camera(params, 1);
   int delivered = 0;
   for (int i = 0; i <= 300; ++i) {
-    const auto vehicle = vehicle_at({0, 0, 1.5}, 0.0, 0.0, 0.01 * i);
-    const auto observation = observe(camera, {}, vehicle, person_at(3, 0), 1.75);
+    const auto vehicle = vehicle_seeing_at({0, 0, 1.5}, 0.0, 0.0, 0.01 * i);
+    const auto observation = observe(camera, {}, vehicle, person_seen_at(3, 0), 1.75);
     if (!observation) continue;
     ++delivered;
     EXPECT_NEAR(vehicle.stamp_s - observation->stamp_s, 0.05, 1e-9);
@@ -121,7 +122,8 @@ TEST(LandmarkCamera, DropsTheStatedShareOfImages) {
   LandmarkCamera camera = make_landmark_camera(params, 1);
   int seen = 0;
   for (int i = 0; i < 2000; ++i)
-    seen += observe(camera, {}, vehicle_at({0, 0, 1.5}, 0, 0, i / 30.0), person_at(3, 0), 1.75)
+    seen += observe(camera, {}, vehicle_seeing_at({0, 0, 1.5}, 0, 0, i / 30.0),
+                    person_seen_at(3, 0), 1.75)
                 .has_value();
   EXPECT_NEAR(seen / 2000.0, 0.7, 0.03);
 }
@@ -131,39 +133,42 @@ TEST(LandmarkCamera, HidesWhatTheWorldHidesLandmarkByLandmark) {
   world.boxes.push_back({{1.4, -2, 0}, {1.6, 2, 1.0}});  // hides the legs alone
   LandmarkCamera camera = make_landmark_camera(noiseless(), 1);
   const auto observation =
-      observe(camera, world, vehicle_at({0, 0, 1.5}, 0), person_at(3, 0), 1.75);
+      observe(camera, world, vehicle_seeing_at({0, 0, 1.5}, 0), person_seen_at(3, 0), 1.75);
   ASSERT_TRUE(observation);
   EXPECT_GT(observation->landmarks[kLeftShoulder].visibility, 0.7);
   EXPECT_LT(observation->landmarks[27].visibility, 0.4);
   world.boxes[0].max_m.z() = 3.0;
   LandmarkCamera blind = make_landmark_camera(noiseless(), 1);
-  EXPECT_FALSE(observe(blind, world, vehicle_at({0, 0, 1.5}, 0), person_at(3, 0), 1.75));
+  EXPECT_FALSE(
+      observe(blind, world, vehicle_seeing_at({0, 0, 1.5}, 0), person_seen_at(3, 0), 1.75));
 }
 
 TEST(LandmarkCamera, SeesNothingOutsideItsViewUnlessUngated) {
   LandmarkCamera gated = make_landmark_camera(noiseless(), 1);
-  EXPECT_FALSE(observe(gated, {}, vehicle_at({0, 0, 1.5}, kPi), person_at(3, 0), 1.75));
+  EXPECT_FALSE(observe(gated, {}, vehicle_seeing_at({0, 0, 1.5}, kPi), person_seen_at(3, 0), 1.75));
   auto params = noiseless();
   params.fov_gated = false;
   LandmarkCamera free = make_landmark_camera(params, 1);
-  const auto behind = observe(free, {}, vehicle_at({0, 0, 1.5}, kPi), person_at(3, 0), 1.75);
+  const auto behind =
+      observe(free, {}, vehicle_seeing_at({0, 0, 1.5}, kPi), person_seen_at(3, 0), 1.75);
   ASSERT_TRUE(behind);
   EXPECT_EQ(behind->kind, TargetObservation::Kind::kPosition);
-  EXPECT_LT((behind->position_enu_m - person_at(3, 0).position_enu_m).norm(), 0.6);
+  EXPECT_LT((behind->position_enu_m - person_seen_at(3, 0).position_enu_m).norm(), 0.6);
 }
 
 TEST(SightOf, ViewEndsAtTheAnglesOfTheCamera) {
   const CameraModel camera;
-  const PersonState person = person_at(3, 0);
+  const PersonState person = person_seen_at(3, 0);
   const double z = person.position_enu_m.z();
   const auto in_view = [&](double yaw, double pitch) {
-    return sight_of({}, camera, vehicle_at({0, 0, z}, yaw, pitch), person, 1.75, 8.0).in_view;
+    return sight_of({}, camera, vehicle_seeing_at({0, 0, z}, yaw, pitch), person, 1.75, 8.0)
+        .in_view;
   };
   EXPECT_TRUE(in_view(rad(44), 0));
   EXPECT_FALSE(in_view(rad(46), 0));
   EXPECT_TRUE(in_view(0, rad(37)));
   EXPECT_FALSE(in_view(0, rad(38)));
-  EXPECT_FALSE(sight_of({}, camera, vehicle_at({0, 0, z}, 0), person, 1.75, 2.9).in_view);
+  EXPECT_FALSE(sight_of({}, camera, vehicle_seeing_at({0, 0, z}, 0), person, 1.75, 2.9).in_view);
 }
 
 TEST(SightOf, NeedsHalfOfTheBodyPoints) {
@@ -171,7 +176,8 @@ TEST(SightOf, NeedsHalfOfTheBodyPoints) {
   world.boxes.push_back({{1.4, -2, 0}, {1.6, 2, 0}});
   const auto unhidden = [&](double height) {
     world.boxes[0].max_m.z() = height;
-    return sight_of(world, {}, vehicle_at({0, 0, 1.5}, 0), person_at(3, 0), 1.75, 8.0).unhidden;
+    return sight_of(world, {}, vehicle_seeing_at({0, 0, 1.5}, 0), person_seen_at(3, 0), 1.75, 8.0)
+        .unhidden;
   };
   EXPECT_TRUE(unhidden(1.2));   // hip and knee hidden
   EXPECT_FALSE(unhidden(1.5));  // shoulders as well

@@ -6,7 +6,7 @@
 namespace foretrack {
 namespace {
 
-Person person_at(double x, double y) {
+Person detected_at(double x, double y) {
   BystanderSpec spec;
   spec.route_m = {{x, y}};
   return make_bystander(spec, 0.0, 1.0);
@@ -37,16 +37,16 @@ int seen(const World& world, const std::vector<Person>& people, const Cylinder& 
 TEST(PeopleDetector, SeesWhoIsInTheImageAndHiddenByNobody) {
   World wall;
   wall.boxes = {{{1.0, -1.0, 0.0}, {1.2, 1.0, 3.0}}};
-  EXPECT_EQ(seen({}, {person_at(4, 0), person_at(3, 2)}, nobody()), 2);
-  EXPECT_EQ(seen({}, {person_at(-4, 0), person_at(1, 3), person_at(9, 0)}, nobody()), 0);
-  EXPECT_EQ(seen(wall, {person_at(4, 0)}, nobody()), 0);
-  EXPECT_EQ(seen({}, {person_at(4, 0), person_at(2, 0)}, nobody()), 1) << "one hides the other";
-  EXPECT_EQ(seen({}, {person_at(4, 0)}, {{2, 0}, kPersonRadius_m, 1.75, 0.0}), 0);
+  EXPECT_EQ(seen({}, {detected_at(4, 0), detected_at(3, 2)}, nobody()), 2);
+  EXPECT_EQ(seen({}, {detected_at(-4, 0), detected_at(1, 3), detected_at(9, 0)}, nobody()), 0);
+  EXPECT_EQ(seen(wall, {detected_at(4, 0)}, nobody()), 0);
+  EXPECT_EQ(seen({}, {detected_at(4, 0), detected_at(2, 0)}, nobody()), 1) << "one hides the other";
+  EXPECT_EQ(seen({}, {detected_at(4, 0)}, {{2, 0}, kPersonRadius_m, 1.75, 0.0}), 0);
 }
 
 TEST(PeopleDetector, ErrorsHaveTheCovarianceThatItSays) {
   PeopleDetector detector = make_people_detector(prompt(), 7);
-  const std::vector<Person> people = {person_at(4.0, 2.0)};
+  const std::vector<Person> people = {detected_at(4.0, 2.0)};
   double sum = 0.0;
   const int n = 4000;
   for (int i = 0; i < n; ++i) {
@@ -82,7 +82,7 @@ TEST(PeopleDetector, MissesTheStatedShare) {
   PeopleDetectorParams params = prompt();
   params.dropout = 0.25;
   PeopleDetector detector = make_people_detector(params, 3);
-  const std::vector<Person> people = {person_at(3, 0)};
+  const std::vector<Person> people = {detected_at(3, 0)};
   int count = 0;
   for (int i = 0; i < 2000; ++i)
     count += detect(detector, {}, vehicle_at(0.1 * i), people, nobody())->count;

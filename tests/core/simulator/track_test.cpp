@@ -12,8 +12,8 @@
 namespace foretrack {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 std::string error_of(std::string_view text, TrackFormat format = TrackFormat::kFrameIdXy,
                      double rate_hz = 25.0) {
@@ -111,7 +111,7 @@ TEST(ParseTracks, RefusesWhatNobodyRunsWithItsLikelyCause) {
 TEST(TrackOf, NamesTheLineToWhichAPedestrianJumps) {
   const auto tracks = parse(walk(1.0) + "60 1 9.0 0\n61 1 9.05 0\n");
   const auto jump = [&] { track_of(tracks, 1, "walks.csv"); };
-  EXPECT_THAT(jump, testing::ThrowsMessage<std::invalid_argument>(
+  EXPECT_THAT(jump, ::testing::ThrowsMessage<std::invalid_argument>(
                         AllOf(HasSubstr("walks.csv:61: pedestrian 1 jumps 6.16 m"),
                               HasSubstr("nobody is faster than 8.00 m/s"))));
 }

@@ -19,7 +19,7 @@ void keep_only(OptimizerParams& p, double OptimizerParams::*weight) {
 }
 
 /// The whole cost's gradient by waypoints and by the durations' variables.
-class TrajectoryCostGradient : public testing::TestWithParam<double OptimizerParams::*> {};
+class TrajectoryCostGradient : public ::testing::TestWithParam<double OptimizerParams::*> {};
 
 TEST_P(TrajectoryCostGradient, AgreesWithFiniteDifferences) {
   OptimizerParams params;
@@ -52,11 +52,11 @@ TEST_P(TrajectoryCostGradient, AgreesWithFiniteDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(
     EachTerm, TrajectoryCostGradient,
-    testing::Values(nullptr, &OptimizerParams::time_weight, &OptimizerParams::corridor_weight,
-                    &OptimizerParams::speed_weight, &OptimizerParams::acceleration_weight,
-                    &OptimizerParams::visibility_weight, &OptimizerParams::next_visibility_weight,
-                    &OptimizerParams::distance_weight, &OptimizerParams::height_weight,
-                    &OptimizerParams::gap_weight));
+    ::testing::Values(nullptr, &OptimizerParams::time_weight, &OptimizerParams::corridor_weight,
+                      &OptimizerParams::speed_weight, &OptimizerParams::acceleration_weight,
+                      &OptimizerParams::visibility_weight, &OptimizerParams::next_visibility_weight,
+                      &OptimizerParams::distance_weight, &OptimizerParams::height_weight,
+                      &OptimizerParams::gap_weight));
 
 double energy(const Minco& minco) {
   MincoGradient unused;

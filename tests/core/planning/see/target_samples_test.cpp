@@ -14,14 +14,14 @@ using testing::FlatContext;
 using testing::kExpectedStep_s;
 using testing::kExpectedSteps;
 
-constexpr double kHeight_m = 1.5;
-const Vec3 kTarget(0.0, 0.0, 1.0), kAlong(1.5, 0.0, 0.0);
+constexpr double kSampleHeight_m = 1.5;
+const Vec3 kSampleTarget(0.0, 0.0, 1.0), kSampleAlong(1.5, 0.0, 0.0);
 
 class TargetSamples : public ::testing::Test {
  protected:
-  TargetSamples() : c_(known_map(empty_world(12.0), 0.15), kHeight_m) {}
+  TargetSamples() : c_(known_map(empty_world(12.0), 0.15), kSampleHeight_m) {}
 
-  void sample(const Vec3& from = {-2.1, 0.0, kHeight_m}, double score_decelerate = 0.0) {
+  void sample(const Vec3& from = {-2.1, 0.0, kSampleHeight_m}, double score_decelerate = 0.0) {
     StageClock clock;
     LookAhead ahead;
     FlightPathWorkspace timing;
@@ -48,7 +48,7 @@ class TargetSamples : public ::testing::Test {
 };
 
 TEST_F(TargetSamples, OnePathHasOneSampleAStepThatCountsLessTheLaterItIs) {
-  add_walk(expected_, 1.0, kTarget, kAlong);
+  add_walk(expected_, 1.0, kSampleTarget, kSampleAlong);
   sample();
   ASSERT_EQ(samples_.size(), std::size_t{kExpectedSteps});
   for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -64,8 +64,8 @@ TEST_F(TargetSamples, OnePathHasOneSampleAStepThatCountsLessTheLaterItIs) {
 }
 
 TEST_F(TargetSamples, PathsThatRunTogetherAreOneSampleAndTheirWeightsAddUp) {
-  add_walk(expected_, 0.7, kTarget, kAlong);
-  add_walk(expected_, 0.3, kTarget, kAlong, 1.0, {0.0, 1.5, 0.0});
+  add_walk(expected_, 0.7, kSampleTarget, kSampleAlong);
+  add_walk(expected_, 0.3, kSampleTarget, kSampleAlong, 1.0, {0.0, 1.5, 0.0});
   sample();
   EXPECT_GT(samples_.size(), std::size_t{kExpectedSteps});
   EXPECT_LT(samples_.size(), std::size_t{2 * kExpectedSteps});
@@ -76,17 +76,17 @@ TEST_F(TargetSamples, PathsThatRunTogetherAreOneSampleAndTheirWeightsAddUp) {
 }
 
 TEST_F(TargetSamples, ALikelyDecelerationKeepsTheVehicleFartherAway) {
-  add_walk(expected_, 1.0, kTarget, Vec3::Zero());
+  add_walk(expected_, 1.0, kSampleTarget, Vec3::Zero());
   sample();
   const double low_m = samples_.back().distance_low_m;
-  sample({-2.1, 0.0, kHeight_m}, 1.0);
+  sample({-2.1, 0.0, kSampleHeight_m}, 1.0);
   EXPECT_GT(samples_.back().distance_low_m, low_m + 0.05);
   EXPECT_NEAR(samples_.back().distance_low_m, c_.params.place.kept_low_m(1.0), 1e-9);
 }
 
 TEST_F(TargetSamples, WhatCannotBeReachedInTimeIsNotAskedFor) {
-  add_walk(expected_, 1.0, kTarget, Vec3::Zero());
-  sample({-9.0, 0.0, kHeight_m});
+  add_walk(expected_, 1.0, kSampleTarget, Vec3::Zero());
+  sample({-9.0, 0.0, kSampleHeight_m});
   const double most_m =
       0.5 * c_.params.limits.acceleration_max_m_s2 * kExpectedStep_s * kExpectedStep_s;
   EXPECT_GE(samples_.front().distance_high_m, 9.0 - most_m);
@@ -97,8 +97,8 @@ TEST_F(TargetSamples, WhatCannotBeReachedInTimeIsNotAskedFor) {
 }
 
 TEST_F(TargetSamples, NeitherIsADistanceThatItCannotTakeSoSoon) {
-  add_walk(expected_, 1.0, kTarget, Vec3::Zero());
-  sample({-0.8, 0.0, kHeight_m});
+  add_walk(expected_, 1.0, kSampleTarget, Vec3::Zero());
+  sample({-0.8, 0.0, kSampleHeight_m});
   EXPECT_LT(samples_.front().distance_low_m, 1.0);
   EXPECT_NEAR(samples_.back().distance_low_m, c_.params.place.kept_low_m(), 1e-9);
 }

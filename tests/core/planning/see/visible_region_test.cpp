@@ -12,22 +12,22 @@ using testing::empty_world;
 using testing::FlatContext;
 using testing::forest;
 
-constexpr double kHeight_m = 1.5;
+constexpr double kRegionHeight_m = 1.5;
 
 TEST(VisibleSector, EndsWhereTheLineOfSightIsBlocked) {
   int sectors = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    const FlatContext c(known_map(forest(seed, 45, 8.0, 0.4), 0.15), kHeight_m);
+    const FlatContext c(known_map(forest(seed, 45, 8.0, 0.4), 0.15), kRegionHeight_m);
     const SearchContext context = c.context();
     const Vec3 target(0.0, 0.0, 1.0);
     const auto visible = [&](double angle_rad) {
       const Vec2 xy = 2.0 * direction_of(angle_rad);
-      return line_of_sight(c.map, target, {xy.x(), xy.y(), kHeight_m});
+      return line_of_sight(c.map, target, {xy.x(), xy.y(), kRegionHeight_m});
     };
     ViewSector sector;
     const double angle_rad = 0.7 * static_cast<double>(seed);
     const Vec2 xy = 2.0 * direction_of(angle_rad);
-    if (!visible_sector(context, target, {xy.x(), xy.y(), kHeight_m}, sector)) {
+    if (!visible_sector(context, target, {xy.x(), xy.y(), kRegionHeight_m}, sector)) {
       EXPECT_FALSE(visible(angle_rad));
       continue;
     }
@@ -47,9 +47,9 @@ TEST(VisibleSector, EndsWhereTheLineOfSightIsBlocked) {
 }
 
 TEST(VisibleSector, IsAHalfTurnInTheOpen) {
-  const FlatContext c(known_map(empty_world(), 0.15), kHeight_m);
+  const FlatContext c(known_map(empty_world(), 0.15), kRegionHeight_m);
   ViewSector sector;
-  ASSERT_TRUE(visible_sector(c.context(), {0.0, 0.0, 1.0}, {0.0, -2.0, kHeight_m}, sector));
+  ASSERT_TRUE(visible_sector(c.context(), {0.0, 0.0, 1.0}, {0.0, -2.0, kRegionHeight_m}, sector));
   EXPECT_NEAR(sector.bisector_rad, -kPi / 2, 1e-9);
   EXPECT_NEAR(sector.half_angle_rad, kPi / 2, 1e-9);
 }
@@ -57,9 +57,9 @@ TEST(VisibleSector, IsAHalfTurnInTheOpen) {
 TEST(VisibleSector, DoesNotTakeThePersonForAnObstacle) {
   World world = empty_world();
   world.cylinders.push_back({{0.0, 0.0}, 0.2, 1.8, 0.0});
-  const FlatContext c(known_map(world, 0.1), kHeight_m);
+  const FlatContext c(known_map(world, 0.1), kRegionHeight_m);
   ViewSector sector;
-  EXPECT_TRUE(visible_sector(c.context(), {0.0, 0.0, 1.0}, {-2.0, 0.0, kHeight_m}, sector));
+  EXPECT_TRUE(visible_sector(c.context(), {0.0, 0.0, 1.0}, {-2.0, 0.0, kRegionHeight_m}, sector));
   EXPECT_NEAR(sector.half_angle_rad, kPi / 2, 1e-9);
 }
 
@@ -91,8 +91,8 @@ TEST(Shrink, LeavesItsShareOfANarrowSector) {
 }
 
 TEST(RotateInto, TurnsTheWaypointIntoTheSectorAtItsDistance) {
-  const FlatContext c(known_map(empty_world(), 0.15), kHeight_m);
-  const Vec3 target(1.0, 0.0, 1.0), waypoint(3.0, 0.0, kHeight_m);
+  const FlatContext c(known_map(empty_world(), 0.15), kRegionHeight_m);
+  const Vec3 target(1.0, 0.0, 1.0), waypoint(3.0, 0.0, kRegionHeight_m);
   const ViewSector sector{0.5, 0.3};
   const Vec3 moved = rotate_into(c.context(), target, waypoint, sector, 1.0);
   EXPECT_TRUE(sector.contains(yaw_of(Vec2((moved - target).head<2>()))));
@@ -105,8 +105,8 @@ TEST(RotateInto, TurnsTheWaypointIntoTheSectorAtItsDistance) {
 TEST(RotateInto, LeavesTheWaypointIfAnObstacleIsThere) {
   World world = empty_world();
   world.cylinders.push_back({Vec2(1.0, 0.0) + 2.2 * direction_of(0.4), 0.3, 4.0, 0.0});
-  const FlatContext c(known_map(world, 0.15), kHeight_m);
-  const Vec3 waypoint(3.0, 0.0, kHeight_m);
+  const FlatContext c(known_map(world, 0.15), kRegionHeight_m);
+  const Vec3 waypoint(3.0, 0.0, kRegionHeight_m);
   EXPECT_EQ(rotate_into(c.context(), {1.0, 0.0, 1.0}, waypoint, {0.6, 0.3}, 1.0), waypoint);
 }
 

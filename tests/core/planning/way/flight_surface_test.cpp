@@ -11,10 +11,10 @@ namespace {
 using testing::empty_world;
 
 const PlanningParams kParams;
-const Vec3 kStart(-2.0, 0.0, 1.3), kTarget(0.0, 0.0, 1.2);
+const Vec3 kSurfaceStart(-2.0, 0.0, 1.3), kSurfaceTarget(0.0, 0.0, 1.2);
 
 double wanted_m() {
-  return kTarget.z() + kParams.place.height_above_target_m;
+  return kSurfaceTarget.z() + kParams.place.height_above_target_m;
 }
 
 // The same world with its ground, and what else lies in it.
@@ -38,14 +38,16 @@ TEST(FlightSurface, LeadsFromTheVehiclesHeightToTheLevelWithoutASteeperSlope) {
 }
 
 TEST(FlightSurface, IsTheWantedHeightWhereThatIsFree) {
-  const FlightSurface surface = choose_flight_surface(room(), kStart, kTarget, kParams);
+  const FlightSurface surface =
+      choose_flight_surface(room(), kSurfaceStart, kSurfaceTarget, kParams);
   EXPECT_NEAR(surface.level_z_m, wanted_m(), 1e-9);
-  EXPECT_EQ(surface.start_z_m, kStart.z());
+  EXPECT_EQ(surface.start_z_m, kSurfaceStart.z());
 }
 
 TEST(FlightSurface, EvadesToALevelThatIsFreer) {
   const GridMap low_shelf = room({{{-6.0, -6.0, 1.2}, {6.0, 6.0, 1.35}}});
-  const FlightSurface surface = choose_flight_surface(low_shelf, kStart, kTarget, kParams);
+  const FlightSurface surface =
+      choose_flight_surface(low_shelf, kSurfaceStart, kSurfaceTarget, kParams);
   EXPECT_GE(std::abs(surface.level_z_m - 1.275), kParams.check.vehicle_radius_m);
   EXPECT_LE(std::abs(surface.level_z_m - wanted_m()), kParams.place.height_search_m + 1e-9);
 }
@@ -53,19 +55,20 @@ TEST(FlightSurface, EvadesToALevelThatIsFreer) {
 TEST(FlightSurface, IsNeverLowerThanTheLeastAltitude) {
   PlanningParams params;
   params.place.height_above_target_m = -1.0;
-  const FlightSurface surface = choose_flight_surface(room(), kStart, kTarget, params);
+  const FlightSurface surface =
+      choose_flight_surface(room(), kSurfaceStart, kSurfaceTarget, params);
   EXPECT_NEAR(surface.level_z_m, params.body.least_altitude_m, 0.16);
 }
 
 TEST(FlightSurface, OtherLevelsAreFlatAndUpwardsComesFirst) {
   const GridMap map = room();
-  const auto first = other_flight_surface(map, kStart, kTarget, 0, kParams);
+  const auto first = other_flight_surface(map, kSurfaceStart, kSurfaceTarget, 0, kParams);
   ASSERT_TRUE(first);
   EXPECT_TRUE(first->flat());
   EXPECT_GT(first->level_z_m, wanted_m());
   double highest_m = 0.0, lowest_m = 9.0;
   for (int i = 0; i < kOtherLevels; ++i)
-    if (const auto other = other_flight_surface(map, kStart, kTarget, i, kParams)) {
+    if (const auto other = other_flight_surface(map, kSurfaceStart, kSurfaceTarget, i, kParams)) {
       highest_m = std::max(highest_m, other->level_z_m);
       lowest_m = std::min(lowest_m, other->level_z_m);
     }
@@ -75,7 +78,7 @@ TEST(FlightSurface, OtherLevelsAreFlatAndUpwardsComesFirst) {
 
 TEST(FlightSurface, ThereIsNoOtherLevelBeyondACeiling) {
   const GridMap map = room({{{-6.0, -6.0, 1.8}, {6.0, 6.0, 1.95}}});
-  EXPECT_FALSE(other_flight_surface(map, kStart, kTarget, 2, kParams));
+  EXPECT_FALSE(other_flight_surface(map, kSurfaceStart, kSurfaceTarget, 2, kParams));
 }
 
 }  // namespace

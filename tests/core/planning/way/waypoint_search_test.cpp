@@ -15,7 +15,7 @@ using testing::empty_world;
 using testing::FlatContext;
 using testing::forest;
 
-constexpr double kHeight_m = 1.5;
+constexpr double kSearchHeight_m = 1.5;
 
 double off_ring_m(const Vec3& place, const Vec3& target) {
   return std::abs(distance_xy(place, target) - 2.0);
@@ -79,9 +79,9 @@ class WaypointSearch : public ::testing::Test {
 TEST_F(WaypointSearch, EndsWhereTheTargetIsSeenAtTheWantedDistanceOnAFreeWayThatIsNearlyShortest) {
   int found = 0, grazing = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const FlatContext c(known_map(forest(seed, 35), 0.15), kHeight_m);
+    const FlatContext c(known_map(forest(seed, 35), 0.15), kSearchHeight_m);
     Random random(seed + 100);
-    const Vec3 from(0.0, 0.0, kHeight_m);
+    const Vec3 from(0.0, 0.0, kSearchHeight_m);
     const Vec3 target(random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0), 1.0);
     if (c.map.unfree_distance_m(from) < c.params.path_clearance_m()) continue;
     if (c.map.unfree_distance_m(target) < c.params.horizon.target_radius_m) continue;
@@ -104,14 +104,15 @@ TEST_F(WaypointSearch, EndsWhereTheTargetIsSeenAtTheWantedDistanceOnAFreeWayThat
 TEST_F(WaypointSearch, DoesNotSqueezeBetweenCornersThatTouch) {
   int diagonals = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const FlatContext c(known_map(forest(seed, 50), 0.15), kHeight_m);
+    const FlatContext c(known_map(forest(seed, 50), 0.15), kSearchHeight_m);
     Random random(seed + 200);
-    search(c, {0.0, 0.0, kHeight_m}, {random.uniform(-6.0, 6.0), random.uniform(-6.0, 6.0), 1.0});
+    search(c, {0.0, 0.0, kSearchHeight_m},
+           {random.uniform(-6.0, 6.0), random.uniform(-6.0, 6.0), 1.0});
     for (std::size_t i = 1; i < path_.size(); ++i) {
       const Vec3 &from = path_[i - 1], &to = path_[i];
       diagonals += from.x() != to.x() && from.y() != to.y();
       for (const Vec3& side :
-           {Vec3(from.x(), to.y(), kHeight_m), Vec3(to.x(), from.y(), kHeight_m)})
+           {Vec3(from.x(), to.y(), kSearchHeight_m), Vec3(to.x(), from.y(), kSearchHeight_m)})
         EXPECT_GE(c.map.unfree_distance_m(side), c.params.path_clearance_m() - 1e-9);
     }
   }
@@ -119,23 +120,23 @@ TEST_F(WaypointSearch, DoesNotSqueezeBetweenCornersThatTouch) {
 }
 
 TEST_F(WaypointSearch, StaysWhereItIsIfThatIsAGoodPlace) {
-  const FlatContext c(known_map(empty_world(), 0.15), kHeight_m);
-  EXPECT_EQ(search(c, {0.0, 0.0, kHeight_m}, {2.1, 0.0, 1.0}), WaypointKind::kSees);
+  const FlatContext c(known_map(empty_world(), 0.15), kSearchHeight_m);
+  EXPECT_EQ(search(c, {0.0, 0.0, kSearchHeight_m}, {2.1, 0.0, 1.0}), WaypointKind::kSees);
   EXPECT_TRUE(path_.empty());
   EXPECT_EQ(state_.expansions, 0);
 }
 
 TEST_F(WaypointSearch, InOpenSpaceExpandsOnlyAFewCellsForACellOfWay) {
-  const FlatContext c(known_map(empty_world(12.0), 0.15), kHeight_m);
-  EXPECT_EQ(search(c, {-9.0, -3.0, kHeight_m}, {6.0, 5.0, 1.0}), WaypointKind::kSees);
+  const FlatContext c(known_map(empty_world(12.0), 0.15), kSearchHeight_m);
+  EXPECT_EQ(search(c, {-9.0, -3.0, kSearchHeight_m}, {6.0, 5.0, 1.0}), WaypointKind::kSees);
   EXPECT_LT(state_.expansions, 4 * static_cast<int>(length_of({-9.0, -3.0, 1.5}, path_) / 0.15));
 }
 
 TEST_F(WaypointSearch, LeavesAnInflatedObstacleWithoutComingNearer) {
   World world = empty_world();
   world.boxes.push_back({{-4.0, -4.0, 0.0}, {0.0, 4.0, 4.0}});
-  const FlatContext c(known_map(world, 0.15), kHeight_m);
-  const Vec3 from(0.17, 0.0, kHeight_m);
+  const FlatContext c(known_map(world, 0.15), kSearchHeight_m);
+  const Vec3 from(0.17, 0.0, kSearchHeight_m);
   ASSERT_LT(c.map.unfree_distance_m(from), 0.2);
   ASSERT_EQ(search(c, from, {4.0, 1.0, 1.0}), WaypointKind::kSees);
   double before_m = c.map.unfree_distance_m(from);
@@ -149,8 +150,8 @@ TEST_F(WaypointSearch, LeavesAnInflatedObstacleWithoutComingNearer) {
 TEST_F(WaypointSearch, GoesAsNearAsKnownFreeSpaceGoes) {
   const FlatContext c(
       testing::partly_known_map(empty_world(), 0.15, [](const Vec3& p) { return p.x() < 1.0; }),
-      kHeight_m);
-  EXPECT_EQ(search(c, {-4.0, 0.0, kHeight_m}, {6.0, 0.0, 1.0}, 3000), WaypointKind::kNearest);
+      kSearchHeight_m);
+  EXPECT_EQ(search(c, {-4.0, 0.0, kSearchHeight_m}, {6.0, 0.0, 1.0}, 3000), WaypointKind::kNearest);
   ASSERT_FALSE(path_.empty());
   EXPECT_NEAR(path_.back().x(), 1.0 - c.params.path_clearance_m(), 0.2);
   for (const Vec3& p : path_) EXPECT_LT(p.x(), 1.0);
@@ -163,16 +164,16 @@ TEST_F(WaypointSearch, StopsAtItsCountWhenTheTargetIsWalledIn) {
         {{2.0 + side * 0.8 - 0.1, -0.9, 0.0}, {2.0 + side * 0.8 + 0.1, 0.9, 4.0}});
     world.boxes.push_back({{1.1, side * 0.8 - 0.1, 0.0}, {2.9, side * 0.8 + 0.1, 4.0}});
   }
-  const FlatContext c(known_map(world, 0.15), kHeight_m);
-  EXPECT_EQ(search(c, {-4.0, 0.0, kHeight_m}, {2.0, 0.0, 1.0}, 500), WaypointKind::kNearest);
+  const FlatContext c(known_map(world, 0.15), kSearchHeight_m);
+  EXPECT_EQ(search(c, {-4.0, 0.0, kSearchHeight_m}, {2.0, 0.0, 1.0}, 500), WaypointKind::kNearest);
   EXPECT_LE(state_.expansions, 500);
 }
 
 TEST_F(WaypointSearch, HasNoWayFromOutsideItsWindow) {
-  const FlatContext c(known_map(empty_world(), 0.15), kHeight_m);
-  begin_searches(state_, c.context(), Vec3(0.0, 0.0, kHeight_m));
-  EXPECT_EQ(search_waypoint(state_, c.context(), {500.0, 0.0, kHeight_m}, {0.0, 0.0, 1.0}, 0.0, 100,
-                            path_),
+  const FlatContext c(known_map(empty_world(), 0.15), kSearchHeight_m);
+  begin_searches(state_, c.context(), Vec3(0.0, 0.0, kSearchHeight_m));
+  EXPECT_EQ(search_waypoint(state_, c.context(), {500.0, 0.0, kSearchHeight_m}, {0.0, 0.0, 1.0},
+                            0.0, 100, path_),
             WaypointKind::kNone);
 }
 
