@@ -125,6 +125,9 @@ function(foretrack_test folder)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
+  if(FORETRACK_SANITIZE)
+    math(EXPR ARG_TIMEOUT "5 * ${ARG_TIMEOUT}")  # sanitized code takes ten times as long
+  endif()
   foreach(test ${tests})
     add_test(NAME ${test} COMMAND test_${name} ${filter_${test}}
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/common/ground.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kVelocityStep_s = 0.05;
 constexpr double kUnseenSpread_m_s = 0.5;  // of a person who is not seen any more, at first
 constexpr double kWidestUnseen_m = 0.5;
 constexpr double kStillSeen_s = 0.1;
+constexpr double kFarthestBelow_m = 2.5;
 constexpr double kPlaceStep_s =
     0.25;  // the last places are beyond the end of any path: it stands there
 constexpr double kVehicleSpeed_m_s = 3.0;  // at which vehicle and body may close in, with their own
@@ -76,8 +78,25 @@ MovingBody body_on(const PredictedPath& path, double age_s, double now_s, const 
   return body;
 }
 
+// Whom the vehicle flies above, out of its camera's sight, may have turned round or stopped right
+// below: they are anywhere within a walk of where they were seen last, and nothing sinks on them.
+std::optional<MovingBody> somewhere_below(const PlanInput& input, const TargetBelief& belief,
+                                          const Person& person, const GapParams& params) {
+  const double age_s = input.now_s - belief.stamp_s;
+  if (belief.count == 0 || age_s < kStillSeen_s) return {};
+  MovingBody body = body_on(belief.paths[0], 0.0, input.now_s, person, input.map);
+  const double head_m = body.position_enu_m.z() + person.height_m;
+  if (input.vehicle.position_enu_m.z() - params.hull_radius_m < head_m) return {};
+  body.radius_m = person.radius_m + std::min(params.body_speed_m_s * age_s, kFarthestBelow_m);
+  body.velocity_enu_m_s.setZero();
+  body.place_count = 0;
+  return body;
+}
+
 void add_followed(const PlanInput& input, const TargetBelief& belief, const Person& person,
                   const GapParams& params, BodyCourses& courses) {
+  if (const auto below = somewhere_below(input, belief, person, params))
+    courses.add({*below, 1.0, params.body_horizon_s});
   for (int i = 0; i < belief.count; ++i) {
     const PredictedPath& path = belief.paths[i];
     if (i > 0 && path.probability < params.course_probability_min) continue;

@@ -12,7 +12,9 @@ namespace foretrack {
 /// person is among the bodies, radius and height are taken from there; else from the parameters,
 /// with the foot on the ground below the believed torso. A body whose place is uncertain is as much
 /// wider. Bodies that cannot come near within the horizon are left out. No belief (null): the
-/// followed person is where the bodies of the input have them. Cost: a few microseconds a body.
+/// followed person is where the bodies of the input have them. A followed person who is not seen,
+/// below a vehicle that is above their head, counts as anywhere within a walk besides. Cost: a few
+/// microseconds a body.
 void expect_bodies(const PlanInput& input, const TargetBelief* belief, const GapParams& params,
                    BodyCourses& courses);
 

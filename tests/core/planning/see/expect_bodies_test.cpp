@@ -58,6 +58,25 @@ TEST_F(ExpectBodies, WhoIsNotSeenAnyMoreMayBeFartherFromWhereTheyWereExpected) {
   EXPECT_NEAR(courses_.courses[0].body.radius_m, seen_m + 0.5, 1e-9);
 }
 
+TEST_F(ExpectBodies, WhoIsUnseenBelowTheVehicleMayHaveTurnedRound) {
+  input_.vehicle = testing::hovering({2.5, 0, 2.6}, 0.0, 1.0);
+  expect(&belief_);
+  EXPECT_EQ(courses_.count, 1) << "they are seen";
+  input_.now_s = 1.8;  // they are expected at 2.8, and may be at 1.2
+  expect(&belief_);
+  const auto gap_at = [&](const Vec3& place) {
+    double least_m = 1e9;
+    for (const BodyCourse& course : courses_.all())
+      least_m = std::min(least_m, expected_gap_m(place, params_.hull_radius_m, course.body, 2.5));
+    return least_m;
+  };
+  EXPECT_LT(gap_at({1.2, 0.0, 1.6}), 0.0) << "nothing sinks there";
+  EXPECT_NEAR(gap_at({1.2, 0.0, 2.6}), 0.6, 1e-6) << "it stays above";
+  input_.vehicle = testing::hovering({0.0, 0, 1.5}, 0.0, 1.0);
+  expect(&belief_);
+  EXPECT_EQ(courses_.count, 1) << "beside them the way on is not closed";
+}
+
 TEST_F(ExpectBodies, WithoutKnownGroundTheFootIsBelowTheTorsoAsThePersonIsTall) {
   const GridMap unknown =
       testing::partly_known_map(testing::empty_world(), 0.15, [](const Vec3&) { return false; });
