@@ -119,6 +119,8 @@ void expect_no_effect(Node& node, Inputs& inputs, Intruder& intruder, wire::Faul
       20.0))
       << wire::word(alarm);
   EXPECT_EQ(inputs.writers(), 0);
+  // It is counted first, and told then.
+  eventually([&] { return node.last_error().find(wire::word(alarm)) != std::string::npos; }, 5.0);
   EXPECT_THAT(node.last_error(), HasSubstr(wire::word(alarm)));
 }
 
