@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace foretrack {
 namespace {
@@ -15,8 +14,6 @@ constexpr double kFirstAtRest_m = 0.05, kFirstBySpeed_s = 0.03;  // before anyth
 constexpr double kHard_m_s2 = 2.0;
 constexpr double kLate_s = 0.15;
 
-}  // namespace
-
 double beside_path_m(const Vec3& off_m, const Vec3& planned_velocity_m_s) {
   const double speed_m_s = planned_velocity_m_s.norm();
   if (speed_m_s < 1e-3) return off_m.norm();
@@ -25,9 +22,17 @@ double beside_path_m(const Vec3& off_m, const Vec3& planned_velocity_m_s) {
   return (off_m - late_m * direction).norm();
 }
 
+}  // namespace
+
 DeviationBound::DeviationBound() {
   for (Bounds& bounds : bounds_m_)
     for (int i = 0; i < kSpeeds; ++i) bounds[i] = kFirstAtRest_m + kFirstBySpeed_s * i;
+}
+
+void DeviationBound::add(const PlannedTrajectory& plan, double t_s, const Vec3& position_enu_m) {
+  const Vec3 velocity = plan.velocity(t_s);
+  add(velocity.norm(), plan.acceleration(t_s).norm(),
+      beside_path_m(position_enu_m - plan.position(t_s), velocity));
 }
 
 // A quantile by stochastic approximation (Robbins and Monro 1951): at rest where a hundredth of the
@@ -54,17 +59,6 @@ double DeviationBound::bound_m(double speed_m_s, double acceleration_m_s2) const
 
 double DeviationBound::bound_m(double speed_m_s) const {
   return std::max(bound_m(speed_m_s, 0.0), bound_m(speed_m_s, 2.0 * kHard_m_s2));
-}
-
-double DeviationBound::speed_within_m_s(double most_m) const {
-  double before_m = bound_m(0.0);
-  if (before_m > most_m) return 0.0;
-  for (int i = 1; i < kSpeeds; ++i) {
-    const double next_m = bound_m(i);
-    if (next_m > most_m) return i - 1 + (most_m - before_m) / (next_m - before_m);
-    before_m = next_m;
-  }
-  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace foretrack

@@ -5,13 +5,9 @@
 
 #include <array>
 
-#include "core/common/geometry.hpp"
+#include "core/common/trajectory.hpp"
 
 namespace foretrack {
-
-/// How far a vehicle is from its plan's path. That it is late or early on it, by up to 0.15 s, is
-/// no way off it.
-double beside_path_m(const Vec3& off_m, const Vec3& planned_velocity_m_s);
 
 /// A running bound by planned speed and acceleration: the 99th percentile of the deviations so far,
 /// those of late more than those of long ago. Before there are any, of a vehicle that follows well.
@@ -20,15 +16,15 @@ class DeviationBound {
  public:
   DeviationBound();
 
+  /// The vehicle is there at t after its plan's begin. That it is late or early on the path, by up
+  /// to 0.15 s, is no way off it.
+  void add(const PlannedTrajectory& plan, double t_s, const Vec3& position_enu_m);
   /// The vehicle is so far (m) from its plan, which is so fast (m/s) and accelerates so (m/s²).
   void add(double speed_m_s, double acceleration_m_s2, double deviation_m);
   /// At most so far from a plan of this kind, m.
   double bound_m(double speed_m_s, double acceleration_m_s2) const;
   /// The same, however it accelerates.
   double bound_m(double speed_m_s) const;
-  /// The greatest speed at which the bound is no more than that, however the plan accelerates:
-  /// infinite where it never is more; 0 where it always is.
-  double speed_within_m_s(double bound_m) const;
 
  private:
   static constexpr int kSpeeds = 4;         // 0, 1, 2, 3 m/s, and faster

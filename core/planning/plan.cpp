@@ -51,9 +51,7 @@ void learn_deviation(PlanningState& state, const PlanInput& input) {
   const PlannedTrajectory& flown = state.flown_result().trajectory;
   const double t_s = input.vehicle.stamp_s - flown.start_s;
   if (!input.flies_plans || flown.pieces.empty() || t_s < 0.0) return;
-  const Vec3 velocity = flown.velocity(t_s);
-  state.deviation.add(velocity.norm(), flown.acceleration(t_s).norm(),
-                      beside_path_m(input.vehicle.position_enu_m - flown.position(t_s), velocity));
+  state.deviation.add(flown, t_s, input.vehicle.position_enu_m);
 }
 
 }  // namespace

@@ -39,18 +39,24 @@ Course stop_of(const Situation& now, const PlanCheckParams& p) {
   return {now.vehicle.position_enu_m, now.vehicle.velocity_enu_m_s, p.braking_m_s2};
 }
 
+// While bodies are expected.
+double gap_m(const Course& course, double begin_s, const MovingBody& body,
+             const PlanCheckParams& p) {
+  return least_expected_gap_m(course, body, p.clearances.vehicle_radius_m, begin_s,
+                              p.body_horizon_s);
+}
+
 // A course is near a body if it comes nearer than the floor, and another one would not be as near:
 // all the while that bodies are expected, as somebody may walk up to where a stop would end.
 bool is_near(const Course& course, double begin_s, const MovingBody& body,
              std::span<const Course> others, const Situation& now, const PlanCheckParams& p,
              double until_s) {
-  const auto gap_m = [&](const Course& of, double from_s, double horizon_s) {
-    return least_expected_gap_m(of, body, p.clearances.vehicle_radius_m, from_s, horizon_s);
-  };
-  if (gap_m(course, begin_s, until_s) >= p.clearances.body_m) return false;
-  const double own_m = gap_m(course, begin_s, p.body_horizon_s);
+  if (least_expected_gap_m(course, body, p.clearances.vehicle_radius_m, begin_s, until_s) >=
+      p.clearances.body_m)
+    return false;
+  const double own_m = gap_m(course, begin_s, body, p);
   return std::ranges::any_of(others, [&](const Course& other) {
-    return gap_m(other, now.moment.stamp_now_s, p.body_horizon_s) > own_m + kNoWorse_m;
+    return gap_m(other, now.moment.stamp_now_s, body, p) > own_m + kNoWorse_m;
   });
 }
 
@@ -67,13 +73,9 @@ bool flees(const Course& course, double begin_s, std::span<const Course> others,
            const Situation& now, const PlanCheckParams& p) {
   if (!now.around.bodies) return false;
   return std::ranges::any_of(now.around.bodies->all(), [&](const MovingBody& body) {
-    const auto gap_m = [&](const Course& of, double from_s) {
-      return least_expected_gap_m(of, body, p.clearances.vehicle_radius_m, from_s,
-                                  p.body_horizon_s);
-    };
-    const double own_m = gap_m(course, begin_s);
+    const double own_m = gap_m(course, begin_s, body, p);
     return std::ranges::all_of(others, [&](const Course& other) {
-      const double other_m = gap_m(other, now.moment.stamp_now_s);
+      const double other_m = gap_m(other, now.moment.stamp_now_s, body, p);
       return other_m < p.clearances.body_m && own_m > other_m + kFlees_m;
     });
   });

@@ -166,9 +166,7 @@ void measure_deviation(GateState& s) {
   const double t_s = s.odometry.at_s - s.flown.start_s;
   if (!s.flies_plans || t_s < 0.0 || s.odometry.at_s == s.measured_s) return;
   s.measured_s = s.odometry.at_s;
-  const Vec3 velocity = s.flown.velocity(t_s);
-  s.deviation.add(velocity.norm(), s.flown.acceleration(t_s).norm(),
-                  beside_path_m(s.odometry.state.position_enu_m - s.flown.position(t_s), velocity));
+  s.deviation.add(s.flown, t_s, s.odometry.state.position_enu_m);
 }
 
 void look_at_plan(GateState& s, const GateInput& in, const SafetyParams& p, LadderInput& ladder,

@@ -42,7 +42,7 @@ TEST(DeviationBound, WhatIsNoDeviationOrBeyondMeasureDoesNoHarm) {
 }
 
 // What a slower plan leaves no less than a faster one is an accident of the measurement.
-TEST(DeviationBound, GrowsWithTheSpeedAndTellsTheSpeedForABound) {
+TEST(DeviationBound, GrowsWithTheSpeed) {
   DeviationBound bound;
   for (int i = 0; i < 200; ++i) bound.add(1.0, kGentle_m_s2, 0.2);
   EXPECT_GE(bound.bound_m(2.0, kGentle_m_s2), bound.bound_m(1.0, kGentle_m_s2));
@@ -53,13 +53,19 @@ TEST(DeviationBound, GrowsWithTheSpeedAndTellsTheSpeedForABound) {
     EXPECT_GE(bound_m, bound.bound_m(speed_m_s, kHard_m_s2));
     before_m = bound_m;
   }
-  for (const double room_m : {0.06, 0.1, 0.17}) {
-    const double speed_m_s = bound.speed_within_m_s(room_m);
-    EXPECT_NEAR(bound.bound_m(speed_m_s), room_m, 1e-9);
-    EXPECT_GT(bound.bound_m(speed_m_s + 0.01), room_m);
-  }
-  EXPECT_EQ(bound.speed_within_m_s(0.01), 0.0);
-  EXPECT_TRUE(std::isinf(bound.speed_within_m_s(0.3)));
+}
+
+TEST(DeviationBound, WhoIsLateOnThePathIsNotOffIt) {
+  PlannedTrajectory plan;
+  QuinticPiece piece;
+  piece.duration_s = 2.0;
+  piece.coefficients.row(1) = Vec3(2.0, 0.0, 0.0).transpose();
+  plan.pieces = {piece};
+  DeviationBound late, off;
+  for (int i = 0; i < 200; ++i) late.add(plan, 1.0, {1.75, 0.0, 0.0});
+  EXPECT_LT(late.bound_m(2.0, 0.0), DeviationBound().bound_m(2.0, 0.0));
+  for (int i = 0; i < 200; ++i) off.add(plan, 1.0, {1.75, 0.2, 0.0});
+  EXPECT_NEAR(off.bound_m(2.0, 0.0), 0.2, 0.03);
 }
 
 }  // namespace
