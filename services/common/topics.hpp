@@ -111,6 +111,45 @@ struct MovingBodies {
   static constexpr TopicInfo info{"bodies", Scope::kVehicle, "state", kVehicle};
 };
 
+struct TargetChoice {
+  using Type = foretrack_msgs::msg::TargetChoice;
+  static constexpr TopicInfo info{"target/choice", Scope::kVehicle, "state", kVehicle};
+};
+
+// the picture for the ground
+struct GroundImage {
+  using Type = sensor_msgs::msg::CompressedImage;
+  static constexpr TopicInfo info{"camera/ground/image/compressed", Scope::kVehicle, "image",
+                                  kVehicle};
+};
+struct GroundCameraInfo {
+  using Type = sensor_msgs::msg::CameraInfo;
+  static constexpr TopicInfo info{"camera/ground/camera_info", Scope::kVehicle, "sensor",
+                                  kVehicle};
+};
+struct GroundVideo {
+  using Type = foxglove_msgs::msg::CompressedVideo;
+  static constexpr TopicInfo info{"camera/ground/video", Scope::kVehicle, "image", kVehicle};
+};
+
+// what the vehicles of a fleet tell each other, and what each makes of it
+struct FleetMember {
+  using Type = foretrack_msgs::msg::FleetMember;
+  static constexpr TopicInfo info{"fleet/member", Scope::kShared, "sensor", kVehicle};
+};
+struct FleetDivision {
+  using Type = foretrack_msgs::msg::FleetDivision;
+  static constexpr TopicInfo info{"fleet/division", Scope::kVehicle, "state", kVehicle};
+};
+struct FleetBodies {
+  using Type = foretrack_msgs::msg::MovingBodies;
+  static constexpr TopicInfo info{"fleet/bodies", Scope::kVehicle, "state", kVehicle};
+};
+struct FleetTarget {
+  using Type = foretrack_msgs::msg::TargetState;
+  static constexpr TopicInfo info{"fleet/target", Scope::kVehicle, "state", kVehicle};
+};
+
 // the same for ROS 2's own tools
 struct PredictionPath {
   using Type = nav_msgs::msg::Path;
@@ -212,7 +251,9 @@ using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorImageCompressed,
                ColorCameraInfo, Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints,
                TargetIntention, TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState,
-               MissionCommand, ServiceHealth, BodySightings, MovingBodies, PredictionPath, PlanPath,
+               MissionCommand, ServiceHealth, BodySightings, MovingBodies, TargetChoice, GroundImage,
+               GroundCameraInfo, GroundVideo, FleetMember, FleetDivision, FleetBodies, FleetTarget,
+               PredictionPath, PlanPath,
                Markers, Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
                Px4VehicleOdometry, Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode,
                Px4BatteryStatus, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
