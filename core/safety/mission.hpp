@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/safety/flight_bounds.hpp"
-#include "core/safety/short_text.hpp"
+#include "core/common/short_text.hpp"
 
 namespace foretrack {
 

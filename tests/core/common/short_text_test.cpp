@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/safety/short_text.hpp"
+#include "core/common/short_text.hpp"
 
 #include <gtest/gtest.h>
 

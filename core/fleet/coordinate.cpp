@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fleet/coordinate.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/fleet/bid_for_seats.hpp"
+#include "core/fleet/fuse_target.hpp"
+#include "core/fleet/peer_body.hpp"
+
+namespace foretrack {
+namespace {
+
+constexpr double kSamePerson_m = 2.5;  // farther apart, two vehicles follow two people
+constexpr double kPlanAhead_s = 4.0;   // of it others are told
+
+FleetPerson person_of(const FleetInput& in) {
+  FleetPerson person;
+  person.id = in.person;
+  person.status = in.target.status;
+  person.in_sight = in.target.status == TrackStatus::kTracking;
+  person.position_enu_m = in.target.position_enu_m;
+  person.velocity_enu_m_s = in.target.velocity_enu_m_s;
+  person.covariance = in.target.covariance;
+  return at_time(person, in.target.stamp_s, in.now_s);
+}
+
+void tell_plan(const FleetInput& in, FleetPlan& out) {
+  if (!in.plan || in.plan->pieces.empty()) return;
+  out.start_s = in.plan->start_s;
+  double end_s = in.plan->start_s;
+  for (const QuinticPiece& piece : in.plan->pieces) {
+    end_s += piece.duration_s;
+    if (end_s < in.now_s) {  // flown already
+      out.start_s = end_s;
+      continue;
+    }
+    if (out.count == FleetPlan::kMaxPieces || end_s - piece.duration_s > in.now_s + kPlanAhead_s)
+      return;
+    out.pieces[out.count++] = piece;
+  }
+}
+
+FleetMember message_of(FleetState& state, const FleetInput& in) {
+  FleetMember out;
+  out.vehicle = in.vehicle;
+  out.frame = in.frame;
+  out.stamp_s = in.now_s;
+  out.sequence_number = ++state.sequence_number;
+  out.flies = in.flies;
+  out.position_enu_m = in.state.position_enu_m;
+  out.velocity_enu_m_s = in.state.velocity_enu_m_s;
+  out.yaw_rad = in.state.yaw_rad();
+  out.radius_m = in.radius_m;
+  out.battery = in.battery;
+  tell_plan(in, out.plan);
+  if (in.target.status != TrackStatus::kNone) {
+    out.follows = in.person;
+    out.persons[out.person_count++] = person_of(in);
+  }
+  if (in.intention) {
+    out.intention_count = in.intention->count;
+    for (int i = 0; i < out.intention_count; ++i)
+      out.intentions[i] = in.intention->beliefs[i].probability;
+  }
+  out.seat = state.seat;
+  return out;
+}
+
+bool sees(const FleetMember& member) {
+  const FleetPerson* person = member.followed();
+  return person && person->in_sight;
+}
+
+// Both see the person: their frames are put together, and their words compared.
+void meet(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
+  const bool common = peer.told.frame == own.frame;
+  if (sees(peer.told) && sees(own) && !common)
+    add_pair(peer.pairs, peer.told.stamp_s,
+             peer.told.followed()->position_enu_m,
+             at_time(*own.followed(), own.stamp_s, peer.told.stamp_s).position_enu_m +
+                 std::min(peer.told.stamp_s - own.stamp_s, 0.0) *
+                     own.followed()->velocity_enu_m_s,
+             params);
+  if (common) peer.alignment = {.yaw_sigma_rad = 0.0, .position_sigma_m = 0.0};
+  else peer.alignment = align_frame(peer.pairs);
+  peer.ours = in_our_frame(peer.told, peer.alignment);
+}
+
+bool follows_same(const FleetPeer& peer, const FleetPerson* person, double now_s) {
+  const FleetPerson* theirs = peer.ours.followed();
+  if (!theirs || !person) return true;  // whoever sees nobody follows whom the others see
+  return distance_xy(at_time(*theirs, peer.ours.stamp_s, now_s).position_enu_m,
+                     person->position_enu_m) < kSamePerson_m;
+}
+
+bool disagrees(const FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
+  if (!sees(peer.ours) || !sees(own) || !follows_same(peer, own.followed(), own.stamp_s))
+    return false;
+  const FleetPerson theirs = at_time(*peer.ours.followed(), peer.ours.stamp_s, own.stamp_s);
+  return apart2(theirs, *own.followed()) > params.gate_mahalanobis * params.gate_mahalanobis;
+}
+
+void judge(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
+  const bool common = peer.told.frame == own.frame;
+  if (!common && !peer.alignment.is_sure(params)) {
+    peer.trust = FleetTrust::kUnaligned;
+    peer.disagrees_since_s = -1.0;
+    return;
+  }
+  if (!disagrees(peer, own, params)) peer.disagrees_since_s = -1.0;
+  else if (peer.disagrees_since_s < 0.0) peer.disagrees_since_s = own.stamp_s;
+  const bool lies = peer.disagrees_since_s >= 0.0 &&
+                    own.stamp_s - peer.disagrees_since_s >= params.liar_s;
+  if (lies) peer.trust = FleetTrust::kLiar;
+  else peer.trust = common ? FleetTrust::kCommon : FleetTrust::kAligned;
+}
+
+bool is_believed(const FleetPeer& peer) {
+  return peer.trust == FleetTrust::kCommon || peer.trust == FleetTrust::kAligned;
+}
+
+bool is_heard(const FleetPeer& peer, double now_s, const FleetParams& params) {
+  return now_s - peer.heard_s <= params.silent_s;
+}
+
+// Who sees the person goes by its own eyes. Who does not goes by the others'.
+TargetState fuse(const FleetState& state, const FleetInput& in, const FleetMember& own,
+                 const FleetParams& params) {
+  if (sees(own)) return in.target;
+  FleetPerson fused;
+  bool any = false;
+  for (const FleetPeer& peer : state.all()) {
+    if (!is_believed(peer) || !is_heard(peer, in.now_s, params) || !sees(peer.ours)) continue;
+    const FleetPerson theirs = at_time(*peer.ours.followed(), peer.ours.stamp_s, in.now_s);
+    if (any && apart2(theirs, fused) > params.gate_mahalanobis * params.gate_mahalanobis) continue;
+    fused = any ? intersect(fused, theirs) : theirs;
+    any = true;
+  }
+  if (!any) return in.target;
+  TargetState out;
+  out.stamp_s = out.last_measurement_s = in.now_s;
+  out.status = TrackStatus::kTracking;
+  out.position_enu_m = fused.position_enu_m;
+  out.velocity_enu_m_s = fused.velocity_enu_m_s;
+  out.covariance = fused.covariance;
+  return out;
+}
+
+// All who follow the same person and are believed, this vehicle among them, sorted by name.
+int gather(const FleetState& state, const FleetMember& own, const TargetState& target,
+           const FleetParams& params, std::array<FleetMember, kFleetCapacity>& out) {
+  FleetPerson person;
+  person.position_enu_m = target.position_enu_m;
+  int count = 0;
+  out[count++] = own;
+  for (const FleetPeer& peer : state.all())
+    if (is_believed(peer) && is_heard(peer, own.stamp_s, params) && peer.ours.flies &&
+        follows_same(peer, target.usable() ? &person : nullptr, own.stamp_s))
+      out[count++] = peer.ours;
+  std::sort(out.begin(), out.begin() + count, [](const FleetMember& a, const FleetMember& b) {
+    return a.vehicle.view() < b.vehicle.view();
+  });
+  return count;
+}
+
+void place_seat(const FleetInput& in, const TargetState& target, const FleetParams& params,
+                FleetResult& out) {
+  const FleetPart* part = out.division.part_of(in.vehicle.view());
+  if (out.division.count < 2 || !part || part->seat.is_none()) return;
+  out.place.seat = part->seat;
+  out.place.bearing_rad = part->seat.bearing_rad();
+  out.place.distance_m =
+      seat_distance_m(in.map, target.position_enu_m, out.place.bearing_rad, part->seat.ring(),
+                      in.radius_m, params);
+  if (out.place.distance_m < 0.0)
+    out.place.distance_m =
+        part->seat.ring() == SeatRing::kNear ? params.near_m : params.far_least_m;
+}
+
+void keep_clear(const FleetState& state, const FleetInput& in, const FleetMember& own,
+                const FleetParams& params, FleetResult& out) {
+  out.peers.stamp_s = in.now_s;
+  out.separation_m = std::numeric_limits<double>::infinity();
+  for (const FleetPeer& peer : state.all()) {
+    const double sigma_m = peer.alignment.position_sigma_m;
+    if (peer.trust == FleetTrust::kUnaligned && sigma_m > params.growth_max_m) continue;
+    out.peers.add(peer_body(peer.ours,
+                            {.now_s = in.now_s,
+                             .own_enu_m = in.state.position_enu_m,
+                             .gap_min_m = in.gap_min_m,
+                             .gives_way = gives_way(own, peer.ours),
+                             .frame_sigma_m = sigma_m},
+                            params));
+    const double apart_m = (peer.ours.position_enu_m - own.position_enu_m).norm();
+    out.separation_m = std::min(out.separation_m, apart_m - own.radius_m - peer.ours.radius_m);
+  }
+}
+
+}  // namespace
+
+FleetResult coordinate(FleetState& state, const FleetInput& in, const FleetParams& params) {
+  FleetResult out;
+  forget(state, in.now_s, params);
+  out.message = message_of(state, in);
+  for (FleetPeer& peer : state.all()) {
+    meet(peer, out.message, params);
+    judge(peer, out.message, params);
+  }
+  out.target = fuse(state, in, out.message, params);
+  if (out.target.usable())
+    out.message.bids = bid_for_seats({.now_s = in.now_s,
+                                      .own_enu_m = in.state.position_enu_m,
+                                      .own_radius_m = in.radius_m,
+                                      .person_enu_m = out.target.position_enu_m,
+                                      .prediction = in.prediction,
+                                      .map = in.map},
+                                     params);
+  std::array<FleetMember, kFleetCapacity> members;
+  const int count = gather(state, out.message, out.target, params, members);
+  out.division = divide({members.data(), static_cast<std::size_t>(count)}, params);
+  place_seat(in, out.target, params, out);
+  state.seat = out.place.seat;
+  keep_clear(state, in, out.message, params, out);
+  return out;
+}
+
+}  // namespace foretrack

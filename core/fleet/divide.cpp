@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fleet/divide.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace foretrack {
+namespace {
+
+constexpr int kRounds = 4;
+constexpr float kTrust = 0.9F;  // that who would see them does: two eyes are better than one
+constexpr double kNever = -1e9;
+
+class Dividing {
+ public:
+  Dividing(std::span<const FleetMember> members, const FleetParams& params, FleetDivision& out)
+      : members_(members), params_(params), out_(out) {}
+
+  void run() {
+    near_ = choose_near();
+    for (std::size_t v = 0; v < members_.size(); ++v) {
+      const Seat held = members_[v].seat;
+      const bool fits = !held.is_none() && ring_of(v) == held.ring() && bid(v, held).possible();
+      out_.parts[v].seat = fits ? held : Seat{};
+    }
+    bool changes = true;
+    for (int round = 0; round < kRounds && changes; ++round) {
+      changes = false;
+      for (std::size_t v = 0; v < members_.size(); ++v) changes |= take_best(v);
+    }
+  }
+
+  double sight() const {
+    double sum = 0.0;
+    for (int i = 0; i < out_.intention_count; ++i) {
+      double missed = 1.0;
+      for (std::size_t v = 0; v < members_.size(); ++v)
+        if (!out_.parts[v].seat.is_none())
+          missed *= 1.0 - kTrust * bid(v, out_.parts[v].seat).sees[i];
+      sum += out_.intentions[i] * (1.0 - missed);
+    }
+    return sum;
+  }
+
+ private:
+  const SeatBid& bid(std::size_t v, Seat seat) const { return members_[v].bids[seat.number]; }
+  SeatRing ring_of(std::size_t v) const { return v == near_ ? SeatRing::kNear : SeatRing::kFar; }
+
+  double alone(std::size_t v, Seat seat) const {
+    const SeatBid& b = bid(v, seat);
+    if (!b.possible()) return kNever;
+    double seen = 0.0;
+    for (int i = 0; i < out_.intention_count; ++i) seen += out_.intentions[i] * b.sees[i];
+    return seen - params_.way_weight_per_s * b.way_s +
+           (seat == members_[v].seat ? params_.keep_weight : 0.0);
+  }
+
+  // The near ring goes to whom it costs least to hold; who holds it is ahead.
+  std::size_t choose_near() const {
+    std::size_t best = 0;
+    double most = kNever;
+    for (std::size_t v = 0; v < members_.size(); ++v) {
+      const bool holds = !members_[v].seat.is_none() && members_[v].seat.ring() == SeatRing::kNear;
+      for (int sector = 0; sector < kSeatSectors; ++sector) {
+        const double worth =
+            alone(v, Seat::of(sector, SeatRing::kNear)) + (holds ? 4.0 * params_.keep_weight : 0.0);
+        if (worth <= most) continue;
+        most = worth;
+        best = v;
+      }
+    }
+    return best;
+  }
+
+  double worth(std::size_t v, Seat seat) {
+    const Seat before = out_.parts[v].seat;
+    out_.parts[v].seat = seat;
+    double sum = params_.by_intention ? sight() : 0.0;
+    out_.parts[v].seat = before;
+    const SeatBid& b = bid(v, seat);
+    sum -= params_.way_weight_per_s * b.way_s;
+    if (seat == members_[v].seat) sum += params_.keep_weight;
+    for (std::size_t other = 0; other < members_.size(); ++other)
+      if (other != v && !out_.parts[other].seat.is_none()) sum -= beside(seat, out_.parts[other].seat);
+    return sum;
+  }
+
+  // What two seats cost each other.
+  double beside(Seat a, Seat b) const {
+    const double angle = std::abs(wrap_angle(a.bearing_rad() - b.bearing_rad()));
+    const double spacing =
+        (params_.by_intention ? params_.spacing_weight : 1.0) * 0.5 * (1.0 + std::cos(angle));
+    const bool behind = a.sector() == b.sector();
+    if (behind && a.ring() == b.ring()) return -kNever;
+    const bool opposite = (a.sector() + kSeatSectors / 2) % kSeatSectors == b.sector();
+    return spacing + (behind ? params_.occlusion_weight : 0.0) +
+           (opposite ? params_.picture_weight : 0.0);
+  }
+
+  bool take_best(std::size_t v) {
+    Seat best;
+    double most = kNever / 2.0;
+    for (int sector = 0; sector < kSeatSectors; ++sector) {
+      const Seat seat = Seat::of(sector, ring_of(v));
+      if (!bid(v, seat).possible()) continue;
+      const double w = worth(v, seat);
+      if (w <= most) continue;
+      most = w;
+      best = seat;
+    }
+    const bool changes = !(best == out_.parts[v].seat);
+    out_.parts[v].seat = best;
+    return changes;
+  }
+
+  std::span<const FleetMember> members_;
+  const FleetParams& params_;
+  FleetDivision& out_;
+  std::size_t near_ = 0;
+};
+
+bool sees_now(const FleetMember& member) {
+  const FleetPerson* person = member.followed();
+  return person && person->in_sight;
+}
+
+}  // namespace
+
+const FleetPart* FleetDivision::part_of(std::string_view vehicle) const {
+  for (const FleetPart& part : all())
+    if (part.vehicle.view() == vehicle) return &part;
+  return nullptr;
+}
+
+void agree_on_intentions(std::span<const FleetMember> members, FleetDivision& out) {
+  const bool anybody = std::any_of(members.begin(), members.end(), sees_now);
+  double sum = 0.0;
+  for (const FleetMember& member : members) {
+    if (anybody && !sees_now(member)) continue;
+    out.intention_count = std::max(out.intention_count, member.intention_count);
+    for (int i = 0; i < member.intention_count; ++i) {
+      out.intentions[i] += member.intentions[i];
+      sum += member.intentions[i];
+    }
+  }
+  if (sum > 0.0) {
+    for (double& p : out.intentions) p /= sum;
+    return;
+  }
+  out.intention_count = 1;
+  out.intentions[0] = 1.0;
+}
+
+FleetDivision divide(std::span<const FleetMember> members, const FleetParams& params) {
+  FleetDivision out;
+  out.count = static_cast<int>(std::min<std::size_t>(members.size(), kFleetCapacity));
+  members = members.first(out.count);
+  agree_on_intentions(members, out);
+  Dividing dividing(members, params, out);
+  dividing.run();
+  out.union_visibility = dividing.sight();
+  for (int v = 0; v < out.count; ++v) {
+    FleetPart& part = out.parts[v];
+    part.vehicle = members[v].vehicle;
+    if (!part.seat.is_none()) part.sees = members[v].bids[part.seat.number].sees;
+  }
+  return out;
+}
+
+}  // namespace foretrack
