@@ -11,6 +11,7 @@
 #include "core/simulator/bystander.hpp"
 #include "core/simulator/depth_camera.hpp"
 #include "core/simulator/encounter.hpp"
+#include "core/simulator/fleet_scenario.hpp"
 #include "core/simulator/generate_world.hpp"
 #include "core/simulator/hiding.hpp"
 #include "core/simulator/landmark_camera.hpp"
@@ -45,6 +46,10 @@ struct Scenario {
   std::optional<Vec3> vehicle_enu_m;  // none: 2 m behind the target, or the nearest free place
   double vehicle_yaw_rad = 0.0;       // used with vehicle_enu_m
   bool parked = false;                // on the ground there, disarmed; else it hovers armed
+  int vehicle_number = 0;             // of a fleet: each draws noise of its own
+  std::vector<FleetVehicle> vehicles;  // empty: one, as the lines above say
+  LinkParams link;                     // between them
+  std::vector<FleetFailure> failures;
   QuadrotorParams quadrotor;
   AutopilotParams autopilot;
   WindParams wind;

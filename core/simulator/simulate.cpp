@@ -7,7 +7,14 @@
 namespace foretrack {
 namespace {
 
+constexpr double kHullRadius_m = 0.25, kHullHeight_m = 0.2;  // of another vehicle
 constexpr double kStartHeight_m = 1.5, kStartDistance_m = 2.0, kStartClearance_m = 0.5;
+
+// What one vehicle's parts draw; people walk alike for all of a fleet.
+std::uint64_t noise_seed(const Scenario& scenario, std::uint64_t part) {
+  constexpr std::uint64_t kApart = 0x9E3779B97F4A7C15ULL;
+  return seed_of(scenario, part) + kApart * static_cast<std::uint64_t>(scenario.vehicle_number);
+}
 
 std::string text_of(const Vec3& p) {
   return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
@@ -36,7 +43,7 @@ Vec3 free_start(const World& world, const Person& who, double ground_z) {
 }
 
 QuadrotorState place_vehicle(const Scenario& scenario, const World& world, const Person& person) {
-  const auto seed = seed_of(scenario, 1);
+  const auto seed = noise_seed(scenario, 1);
   if (scenario.vehicle_enu_m) {
     const Vec3& p = *scenario.vehicle_enu_m;
     if (!world.contains(p) || clearance_m(world, p) <= 0.0)
@@ -61,6 +68,7 @@ void take_images(SimulatorState& state, double height_m) {
     return;
   }
   out.observation = observe(state.landmark_camera, state.scene, out.vehicle, out.target, height_m);
+  if (state.blind) out.observation.reset();
   if (!state.bystanders.empty())
     out.sightings = detect(state.people_detector, state.world, out.vehicle, state.bystanders,
                            cylinder_of(out.target, height_m));
@@ -101,6 +109,19 @@ void wait(Person& person, double dt_s) {
   for (StandStill& stop : person.params.stops) stop.at_s += dt_s;
 }
 
+// What stands there, with the bystanders and the other vehicles where they are now.
+void place_scene(SimulatorState& state) {
+  if (state.bystanders.empty() && state.peers_enu_m.empty() &&
+      state.scene.cylinders.size() == state.world.cylinders.size())
+    return;
+  place_people(state.scene, state.world.cylinders.size(), state.bystanders);
+  for (const Vec3& peer : state.peers_enu_m)
+    state.scene.cylinders.push_back({.center_m = peer.head<2>(),
+                                     .radius_m = kHullRadius_m,
+                                     .height_m = kHullHeight_m,
+                                     .base_m = peer.z() - 0.5 * kHullHeight_m});
+}
+
 void walk_on(SimulatorState& state, double dt_s) {
   const auto pass = [&](Person& person) {
     if (state.people_wait) wait(person, dt_s);
@@ -108,8 +129,7 @@ void walk_on(SimulatorState& state, double dt_s) {
   };
   pass(state.person);
   for (Person& other : state.bystanders) pass(other);
-  if (!state.bystanders.empty())
-    place_people(state.scene, state.world.cylinders.size(), state.bystanders);
+  place_scene(state);
   if (state.color_camera)
     for (std::size_t i = 0; i < state.bystanders.size(); ++i)
       state.color_camera->bystanders[i].person.state = state.bystanders[i].state;
@@ -137,9 +157,10 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
                        std::move(people),
                        std::move(quadrotor),
                        std::move(autopilot),
-                       make_landmark_camera(scenario.landmark_camera, seed_of(scenario, 3)),
-                       make_people_detector(detector_params_of(scenario), seed_of(scenario, 6)),
-                       make_depth_camera(scenario.depth_camera, seed_of(scenario, 4)),
+                       make_landmark_camera(scenario.landmark_camera, noise_seed(scenario, 3)),
+                       make_people_detector(detector_params_of(scenario), noise_seed(scenario, 6)),
+                       make_depth_camera(scenario.depth_camera, noise_seed(scenario, 4)),
+                       {},
                        {},
                        {}};
   if (scenario.color_images) {

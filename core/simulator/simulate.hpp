@@ -43,6 +43,8 @@ struct SimulatorState {
   DepthCamera depth_camera;
   std::optional<ColorCamera> color_camera;
   SimulatorOutput output;
+  std::vector<Vec3> peers_enu_m;  ///< other vehicles: what cameras see of them, set by the caller
+  bool blind = false;             ///< its camera sees nobody any more
   bool people_wait = false;  ///< nobody walks, and what they do by the clock is put off
 };
 

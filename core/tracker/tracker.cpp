@@ -6,6 +6,49 @@
 namespace foretrack {
 namespace {
 
+constexpr double kFleet_s = 0.1;        // between two messages
+constexpr double kFleetStale_s = 0.5;  // what the others see is used for so long
+
+// Bodies of others and peers: all that planner and gate keep clear of.
+MovingBodies all_of(const MovingBodies& around, const MovingBodies& peers) {
+  MovingBodies all = around;
+  for (const MovingBody& peer : peers.all()) all.add(peer);
+  return all;
+}
+
+void take_part(TrackerState& state, const TrackerInput& input, const TrackerParams& params,
+               TrackerOutput& out) {
+  for (const FleetMember& message : input.fleet->heard)
+    hear(state.fleet, message, input.now_s, params.fleet);
+  if (input.now_s < state.next_fleet_s) return;
+  state.next_fleet_s = input.now_s + kFleet_s - 1e-6;
+  state.coordinated =
+      coordinate(state.fleet,
+                 {.now_s = input.now_s,
+                  .vehicle = input.fleet->vehicle,
+                  .frame = input.fleet->frame,
+                  .state = input.vehicle,
+                  .radius_m = params.planning.body.hull_radius_m,
+                  .battery = input.fleet->battery,
+                  .flies = is_active(state.gate.mission.phase),
+                  .gap_min_m = params.planning.body.gap_min_m,
+                  .target = out.target,
+                  .prediction = &state.prediction.result.prediction,
+                  .intention = &state.prediction.result.intention,
+                  .plan = &state.planning.flown_result().trajectory,
+                  .map = out.map},
+                 params.fleet);
+  out.fleet = &state.coordinated;
+}
+
+// Who does not see the person goes by what the others see.
+void see_by_others(const TrackerState& state, double now_s, TargetState& target) {
+  const TargetState& told = state.coordinated.target;
+  if (target.status != TrackStatus::kTracking && told.status == TrackStatus::kTracking &&
+      now_s - told.stamp_s < kFleetStale_s)
+    target = told;
+}
+
 const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
   if (input.known_map) return input.known_map;
   return state.mapping.map.empty() ? nullptr : &state.mapping.map;
@@ -37,6 +80,11 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
     track_bodies(state.bodies, *input.sightings, out.target, params.bodies, input.looks);
   out.map = map_of(state, input);
 
+  if (input.fleet) {
+    take_part(state, input, params, out);
+    see_by_others(state, input.now_s, out.target);
+  }
+
   const bool plans = out.map && input.now_s >= state.next_plan_s;
   if (plans) out.prediction = &predict(state.prediction, out.target, *out.map, params.prediction);
   const Followed followed{out.target, &state.prediction.result.prediction,
@@ -44,6 +92,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   bodies_around(state.bodies, input.now_s, followed, input.vehicle.position_enu_m, params.bodies,
                 state.around);
   out.bodies = &state.around;
+  if (input.fleet) state.kept_clear = all_of(state.around, state.coordinated.peers);
+  const MovingBodies* kept_clear = input.fleet ? &state.kept_clear : &state.around;
 
   const PlannedTrajectory* fresh = nullptr;
   if (plans) {
@@ -55,7 +105,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .intention = &out.prediction->intention,
                       .prediction = &out.prediction->prediction,
                       .map = out.map,
-                      .bodies = out.bodies,
+                      .bodies = kept_clear,
                       .flies_plans = state.gate.flies_plans},
                      params.planning);
     out.planned = true;
@@ -71,7 +121,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   in.command = input.command;
   in.map = out.map;
   in.map_at_s = input.now_s;
-  in.bodies = out.bodies;
+  in.bodies = kept_clear;
   in.bodies_at_s = input.now_s;
   out.gate = gate(state.gate, in, params.safety);
   return out;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/bodies/bodies_around.hpp"
+#include "core/fleet/coordinate.hpp"
 #include "core/mapping/update_map.hpp"
 #include "core/perception/perceive.hpp"
 #include "core/planning/plan.hpp"
@@ -22,6 +23,14 @@ struct TrackerParams {
   PredictionParams prediction;
   PlanningParams planning;
   SafetyParams safety;
+  FleetParams fleet;
+};
+
+/// A vehicle that flies with others, and what was heard of them since the last step.
+struct FleetLink {
+  ShortText vehicle, frame;  ///< names
+  double battery = -1.0;     ///< of a full one; negative: not known
+  std::span<const FleetMember> heard = {};
 };
 
 /// What is new at now_s. A null pointer: nothing of that kind came. What pointers lead to is read
@@ -39,6 +48,7 @@ struct TrackerInput {
   const BodySightings* sightings = nullptr;  ///< of others, by a detector; empty: of nobody
   std::span<const PersonLook> looks = {};    ///< of the sightings one by one; may be empty
   const MissionCommand* command = nullptr;   ///< an operator's order
+  const FleetLink* fleet = nullptr;          ///< null: it flies alone
 };
 
 /// All that is kept from step to step. One for each vehicle.
@@ -49,12 +59,16 @@ struct TrackerState {
   PerceptionState perception;
   MappingState mapping;
   BodiesState bodies;
-  MovingBodies around;  ///< at the last step
+  MovingBodies around;      ///< at the last step
+  MovingBodies kept_clear;  ///< the same with the fleet's others
   PredictionState prediction;
   PlanningState planning;
   GateState gate;
+  FleetState fleet;
+  FleetResult coordinated;  ///< at the last step of the fleet
   double delay_s = 0.0;       ///< age of the newest observation when it came
   double next_plan_s = -1.0;  ///< no plan is made earlier
+  double next_fleet_s = -1.0;  ///< nothing is told earlier
 };
 
 /// What the stages say in this step. The pointers lead into the state (or to the known map) and are
@@ -65,11 +79,12 @@ struct TrackerOutput {
   const PlanResult* plan = nullptr;              ///< null: none was made in this step
   const GridMap* map = nullptr;          ///< that plans are made in; null: there is none yet
   const MovingBodies* bodies = nullptr;  ///< around the vehicle, the followed person among them
+  const FleetResult* fleet = nullptr;    ///< null: nothing was told in this step
   bool planned = false;                  ///< prediction and plan were made in this step
   GateResult gate;                       ///< what the flight controller is to be given
 };
 
-/// perceive → update map → track bodies → predict → plan → gate. Predictions and plans are made
+/// perceive → update map → track bodies → coordinate → predict → plan → gate. Predictions and plans are made
 /// once in planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's rate
 /// (100 Hz). Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with a
 /// plan 1 ms more. Allocates nothing after the first seconds in a known map.

@@ -59,7 +59,8 @@ std::string range_of(const ParamRow& row) {
 Stages stages_of(TrackerParams& params) {
   return {{"perception", rows(params.perception)}, {"mapping", rows(params.mapping)},
           {"bodies", rows(params.bodies)},         {"prediction", rows(params.prediction)},
-          {"planning", rows(params.planning)},     {"safety", rows(params.safety)}};
+          {"planning", rows(params.planning)},     {"safety", rows(params.safety)},
+          {"fleet", rows(params.fleet)}};
 }
 
 std::string find_params(const std::string& name_or_file) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "services/files/config/fleet_file.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -173,7 +175,7 @@ void read_encounter(YamlReader& r, ScenarioFile& file) {
   int kind = 0;
   r.choice("encounter", kEncounterKindNames, kind);
   file.encounter = static_cast<EncounterKind>(kind);
-  for (const char* key : {"world", "bystanders", "vehicle"})
+  for (const char* key : {"world", "bystanders", "vehicle", "vehicles"})
     if (r.has(key)) r.fault(key, "an encounter has its own");
   const Scenario& s = file.scenario;
   if (!s.target.route_m.empty() || file.track || file.random_stops ||
@@ -186,7 +188,7 @@ void read_hiding(YamlReader& r, ScenarioFile& file) {
   int kind = 0;
   r.choice("hiding", kHidingKindNames, kind);
   file.hiding = static_cast<HidingKind>(kind);
-  for (const char* key : {"world", "encounter", "vehicle", "duration_s"})
+  for (const char* key : {"world", "encounter", "vehicle", "vehicles", "duration_s"})
     if (r.has(key)) r.fault(key, "a hiding has its own");
   const Scenario& s = file.scenario;
   if (!s.target.route_m.empty() || file.track || file.random_stops ||
@@ -203,6 +205,7 @@ ScenarioFile read_scenario_file(YamlReader& r) {
   r.section("target", [&](YamlReader& t) { read_target(t, file); });
   r.list("bystanders", [&](YamlReader& b) { read_bystander(b, s.bystanders.emplace_back()); });
   r.section("vehicle", [&](YamlReader& v) { read_vehicle(v, s); });
+  read_fleet(r, s);
   auto& incidents = s.autopilot.incidents;
   r.list("incidents", [&](YamlReader& i) { read_incident(i, incidents.emplace_back()); });
   std::ranges::stable_sort(incidents, {}, &Incident::at_s);

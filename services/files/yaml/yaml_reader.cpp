@@ -169,14 +169,34 @@ void YamlReader::texts(std::string_view key, std::vector<std::string>& values) {
   }
   if (!node.IsSequence())
     return fault(key, fmt::format("is {}, expected a list of texts", kind_of(node)));
+  values = texts_of(key, node);
+}
+
+void YamlReader::lists(std::string_view key, std::vector<std::vector<std::string>>& values) {
+  if (!has(key)) return;
+  const YAML::Node node = take(key);
+  if (!node.IsSequence())
+    return fault(key, fmt::format("is {}, expected a list of lists of texts", kind_of(node)));
   values.clear();
   for (const YAML::Node& item : node) {
+    if (item.IsSequence())
+      values.push_back(texts_of(key, item));
+    else
+      faults_.add(item.Mark(), fmt::format("{}: holds {}, expected lists of texts", path_of(key),
+                                           kind_of(item)));
+  }
+}
+
+std::vector<std::string> YamlReader::texts_of(std::string_view key, const YAML::Node& list) {
+  std::vector<std::string> values;
+  for (const YAML::Node& item : list) {
     if (item.IsScalar())
       values.push_back(item.Scalar());
     else
       faults_.add(item.Mark(),
                   fmt::format("{}: holds {}, expected texts", path_of(key), kind_of(item)));
   }
+  return values;
 }
 
 void YamlReader::choice(std::string_view key, std::span<const std::string_view> choices,

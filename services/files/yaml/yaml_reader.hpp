@@ -49,6 +49,8 @@ class YamlReader {
   void text(std::string_view key, std::string& value);
   /// A list of texts, or one alone.
   void texts(std::string_view key, std::vector<std::string>& values);
+  /// A list of lists of texts.
+  void lists(std::string_view key, std::vector<std::vector<std::string>>& values);
   /// The index of the word in `choices`.
   void choice(std::string_view key, std::span<const std::string_view> choices, int& value);
   void point(std::string_view key, Vec2& value);
@@ -65,6 +67,7 @@ class YamlReader {
 
  private:
   YAML::Node take(std::string_view key);
+  std::vector<std::string> texts_of(std::string_view key, const YAML::Node& list);
   std::string path_of(std::string_view key) const;
 
   YAML::Node node_;

@@ -2,16 +2,12 @@
 // A lock-step flight of the whole tracker: what `foretrack fly` and the benchmarks call.
 #pragma once
 
-#include "core/tracker/tracker.hpp"
-#include "services/offline/flight/fly_pilot.hpp"
+#include "services/offline/flight/tracker_pilot.hpp"
 
 namespace foretrack {
 
 /// The limits and the distance band of the metrics are those that the planner was given.
 MetricParams metric_params_of(const TrackerParams& params);
-
-/// What the gate wants, as the simulated autopilot takes it.
-AutopilotInput input_of(const GateResult& gate);
 
 /// Is shown what the tracker put out in each step.
 using TrackerWatch = std::function<void(const TrackerOutput&)>;

@@ -6,7 +6,6 @@
 #include "services/offline/people/load_person.hpp"
 
 namespace foretrack {
-namespace {
 
 void write_truth(const SimulatorState& simulator, FlightRow& row) {
   const SimulatorOutput& out = simulator.output;
@@ -29,8 +28,6 @@ void write_truth(const SimulatorState& simulator, FlightRow& row) {
   row.sight = sight_of(simulator.scene, camera.camera, out.vehicle, out.target, row.target_height_m,
                        camera.range_max_m);
 }
-
-}  // namespace
 
 FlightResult fly_pilot(const Scenario& scenario, const Pilot& pilot, const MetricParams& metrics,
                        const FlightOptions& options) {

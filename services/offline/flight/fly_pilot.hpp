@@ -35,6 +35,9 @@ struct FlightResult {
   std::vector<double> plan_ms;  // wall time of each step that replanned; not part of the log
 };
 
+/// What is true of the vehicle and of people at this moment.
+void write_truth(const SimulatorState& simulator, FlightRow& row);
+
 /// Flies the scenario for its duration. What a pilot commands reaches the autopilot in the next
 /// step. Throws std::invalid_argument for a scenario that cannot be.
 FlightResult fly_pilot(const Scenario& scenario, const Pilot& pilot, const MetricParams& metrics,

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scenario file says of a fleet: vehicles, link, failures.
+#pragma once
+
+#include "core/simulator/scenario.hpp"
+#include "services/files/yaml/yaml_reader.hpp"
+
+namespace foretrack {
+
+/// Faults go to the reader's: names that are twice there, or that nobody has.
+void read_fleet(YamlReader& r, Scenario& scenario);
+
+}  // namespace foretrack

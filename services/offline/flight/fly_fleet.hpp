@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A lock-step flight of several vehicles behind one person, with a radio between them.
+#pragma once
+
+#include "services/offline/flight/fleet_metrics.hpp"
+#include "services/offline/flight/fly.hpp"
+
+namespace foretrack {
+
+struct FleetFlight {
+  std::vector<std::string> names;
+  std::vector<FlightResult> vehicles;  // in the order of scenario.vehicles, with rows at equal times
+  std::vector<FleetRow> rows;          // one for each step
+  FleetMetrics metrics;
+};
+
+/// Flies all of scenario.vehicles with the tracker. The same scenario and parameters give the same
+/// rows. A vehicle that is not there (before it joins, after it died) has rows with its last state,
+/// and counts for nothing. Throws std::invalid_argument for a scenario that cannot be.
+FleetFlight fly_fleet(const Scenario& scenario, const TrackerParams& params,
+                      const FlightOptions& options = {});
+
+}  // namespace foretrack

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "services/offline/flight/write_fleet.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "services/offline/flight/metrics_json.hpp"
+
+namespace foretrack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const FleetMetrics& m) {
+  Json events = Json::array();
+  for (const FleetEvent& event : m.events)
+    events.push_back({{"begin_s", event.begin_s}, {"longest_unseen_s", event.longest_unseen_s}});
+  return {{"vehicles", m.vehicles},
+          {"union_visibility", m.union_visibility},
+          {"k2_visibility", m.k2_visibility},
+          {"longest_unseen_s", m.longest_unseen_s},
+          {"band_share", m.band_share},
+          {"mutual_occlusion", m.mutual_occlusion},
+          {"min_separation_m", finite_json(m.min_separation_m)},
+          {"below_separation_s", m.below_separation_s},
+          {"contacts", m.contacts},
+          {"stacked_s", m.stacked_s},
+          {"separation_score", m.separation_score},
+          {"handovers", m.handovers},
+          {"bytes_per_s", m.bytes_per_s},
+          {"events", events}};
+}
+
+}  // namespace
+
+std::string json_of(const FleetFlight& flight) {
+  Json vehicles = Json::object();
+  for (std::size_t i = 0; i < flight.names.size(); ++i)
+    vehicles[flight.names[i]] = Json::parse(json_of(flight.vehicles[i].metrics));
+  return Json{{"fleet", json_of(flight.metrics)}, {"vehicles", vehicles}}.dump(1) + "\n";
+}
+
+void write_fleet_flight(const FleetFlight& flight, const MetricParams& params,
+                        const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < flight.names.size(); ++i)
+    write_flight(flight.vehicles[i], params, folder / flight.names[i]);
+  std::ofstream out(folder / "metrics.json", std::ios::binary);
+  out << json_of(flight);
+  out.flush();
+  if (!out) throw std::runtime_error("cannot write " + (folder / "metrics.json").string());
+}
+
+}  // namespace foretrack
