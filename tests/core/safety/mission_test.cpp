@@ -313,7 +313,7 @@ TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
     EXPECT_EQ(needs_memory(order),
               order == MissionOrder::kStart || order == MissionOrder::kResume ||
                   order == MissionOrder::kTakeOff || order == MissionOrder::kLease ||
-                  order == MissionOrder::kSetBounds)
+                  is_setting(order))
         << to_string(order);
   EXPECT_FALSE(needs_memory(MissionOrder::kStop));
 }
@@ -321,6 +321,9 @@ TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
 TEST(Mission, EverythingHasAName) {
   for (const auto order : kAll) EXPECT_FALSE(to_string(order).empty());
   EXPECT_EQ(to_string(MissionOrder::kSetBounds), "set_bounds");
+  EXPECT_EQ(to_string(MissionOrder::kSetFraming), "set_framing");
+  EXPECT_EQ(to_string(MissionResult::kRefusedFraming),
+            "refused: this framing is out of its safe ranges");
   EXPECT_EQ(to_string(MissionPhase::kTakingOff), "taking off");
   EXPECT_EQ(to_string(MissionResult::kAcceptedUnwritten),
             "accepted, but a restart would forget it");
