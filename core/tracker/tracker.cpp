@@ -49,6 +49,16 @@ void see_by_others(const TrackerState& state, double now_s, TargetState& target)
     target = told;
 }
 
+// What an operator orders comes before the seat.
+Framing framing_of(const TrackerState& state, const TrackerInput& input) {
+  Framing framing = state.gate.mission.framing;
+  const SeatPlace& place = state.coordinated.place;
+  if (!input.fleet || place.seat.is_none() || !framing.is_free()) return framing;
+  framing.distance_m = place.distance_m;
+  framing.bearing_enu_rad = place.bearing_rad;
+  return framing;
+}
+
 const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
   if (input.known_map) return input.known_map;
   return state.mapping.map.empty() ? nullptr : &state.mapping.map;
@@ -106,7 +116,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .prediction = &out.prediction->prediction,
                       .map = out.map,
                       .bodies = kept_clear,
-                      .flies_plans = state.gate.flies_plans},
+                      .flies_plans = state.gate.flies_plans,
+                      .framing = framing_of(state, input)},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;

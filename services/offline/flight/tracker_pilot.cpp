@@ -2,7 +2,6 @@
 #include "services/offline/flight/tracker_pilot.hpp"
 
 #include <limits>
-#include <utility>
 
 #include "core/safety/command_of.hpp"
 #include "services/common/time_now.hpp"
@@ -56,7 +55,7 @@ AutopilotInput input_of(const GateResult& gate) {
 }
 
 TrackerPilot::TrackerPilot(const Scenario& scenario, const TrackerParams& params)
-    : params_(params), tracker_(params) {
+    : params_(params), tracker_(params), operator_(scenario) {
   if (scenario.color_images)
     eye_.emplace(load_pose_network(find_share("models"),
                                    static_cast<PoseModel>(params.perception.model_complexity)),
@@ -71,7 +70,7 @@ TrackerOutput TrackerPilot::fly(PilotStep s, const FleetLink* fleet, const Missi
                      .depth = s.known_map ? nullptr : s.simulator.depth,
                      .known_map = s.known_map,
                      .sightings = s.simulator.sightings ? &*s.simulator.sightings : nullptr,
-                     .command = order,
+                     .command = operator_.order(s.simulator.now_s),
                      .fleet = fleet};
   if (const auto* seen =
           eye_ ? eye_->look(s.simulator, tracker_.perception, tracker_.vehicles) : nullptr) {
@@ -80,9 +79,7 @@ TrackerOutput TrackerPilot::fly(PilotStep s, const FleetLink* fleet, const Missi
     input.sightings = &seen->others.sightings;
     input.looks = seen->others.looks;
   }
-  const MissionCommand start{
-      .id = 1, .stamp_s = s.simulator.now_s, .order = MissionOrder::kStart};
-  if (!std::exchange(started_, true)) input.command = &start;
+  if (order) input.command = order;
   const double begin_ms = cpu_ms();  // other flights run beside this one
   const TrackerOutput out = step(tracker_, input, params_);
   if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);

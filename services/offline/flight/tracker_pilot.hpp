@@ -5,13 +5,14 @@
 #include "core/tracker/tracker.hpp"
 #include "services/offline/flight/camera_eye.hpp"
 #include "services/offline/flight/fly_pilot.hpp"
+#include "services/offline/flight/steady_operator.hpp"
 
 namespace foretrack {
 
 /// What the gate wants, as the simulated autopilot takes it.
 AutopilotInput input_of(const GateResult& gate);
 
-/// One vehicle's tracker. It orders the start itself, in its first step.
+/// One vehicle's tracker, with the scenario's operator.
 class TrackerPilot {
  public:
   /// With colour images, the pose network sees for the tracker; throws std::runtime_error that says
@@ -19,7 +20,7 @@ class TrackerPilot {
   TrackerPilot(const Scenario& scenario, const TrackerParams& params);
 
   /// One step: decides, commands, and writes its part of the row. The output is valid until the next
-  /// step. fleet: null, it flies alone. order: null, none besides the start.
+  /// step. fleet: null, it flies alone. order: comes before the operator's; null: none.
   TrackerOutput fly(PilotStep step, const FleetLink* fleet = nullptr,
                     const MissionCommand* order = nullptr);
 
@@ -28,7 +29,7 @@ class TrackerPilot {
   TrackerState tracker_;
   std::optional<CameraEye> eye_;
   FlightRow last_;  // what was last predicted and planned stays in the rows until the next plan
-  bool started_ = false;
+  SteadyOperator operator_;
 };
 
 }  // namespace foretrack
