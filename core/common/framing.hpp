@@ -17,6 +17,7 @@ struct Framing {
   double bearing_rad = kFree;
   /// The same, counterclockwise from east: a fleet's seat. It comes before bearing_rad.
   double bearing_enu_rad = kFree;
+  bool is_seat = false;  ///< of a fleet: taken on faster
   /// By which the bearing goes round, counterclockwise; 0: it does not.
   double circling_rad_s = 0.0;
 

@@ -64,6 +64,7 @@ FleetMember message_of(FleetState& state, const FleetInput& in) {
       out.intentions[i] = in.intention->beliefs[i].probability;
   }
   out.seat = state.seat;
+  out.is_near = state.is_near;
   return out;
 }
 
@@ -167,15 +168,16 @@ int gather(const FleetState& state, const FleetMember& own, const TargetState& t
 void place_seat(const FleetInput& in, const TargetState& target, const FleetParams& params,
                 FleetResult& out) {
   const FleetPart* part = out.division.part_of(in.vehicle.view());
-  if (out.division.count < 2 || !part || part->seat.is_none()) return;
-  out.place.seat = part->seat;
+  if (out.division.count < 2 || !part) return;
+  out.place = {.is_alone = false,
+               .ring = part->ring,
+               .seat = part->seat,
+               .distance_m = part->ring == SeatRing::kNear ? params.near_m : params.far_m};
+  if (part->seat.is_none()) return;
   out.place.bearing_rad = part->seat.bearing_rad();
-  out.place.distance_m =
-      seat_distance_m(in.map, target.position_enu_m, out.place.bearing_rad, part->seat.ring(),
-                      in.radius_m, params);
-  if (out.place.distance_m < 0.0)
-    out.place.distance_m =
-        part->seat.ring() == SeatRing::kNear ? params.near_m : params.far_least_m;
+  const double room_m = seat_distance_m(in.map, target.position_enu_m, out.place.bearing_rad,
+                                        part->ring, in.radius_m, params);
+  if (room_m > 0.0) out.place.distance_m = room_m;
 }
 
 void keep_clear(const FleetState& state, const FleetInput& in, const FleetMember& own,
@@ -221,6 +223,7 @@ FleetResult coordinate(FleetState& state, const FleetInput& in, const FleetParam
   out.division = divide({members.data(), static_cast<std::size_t>(count)}, params);
   place_seat(in, out.target, params, out);
   state.seat = out.place.seat;
+  state.is_near = !out.place.is_alone && out.place.ring == SeatRing::kNear;
   keep_clear(state, in, out.message, params, out);
   return out;
 }

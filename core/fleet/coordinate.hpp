@@ -30,8 +30,10 @@ struct FleetInput {
 
 /// Where the person is to be seen from.
 struct SeatPlace {
-  Seat seat;                ///< none: anywhere
-  double bearing_rad = 0.0;  ///< of the vehicle from the person, world
+  bool is_alone = true;     ///< nobody else follows the person: all that follows is nothing
+  SeatRing ring = SeatRing::kNear;
+  Seat seat;                ///< none: in any direction
+  double bearing_rad = 0.0;  ///< of the vehicle from the person, world; with a seat
   double distance_m = 0.0;
 };
 

@@ -10,6 +10,7 @@ namespace {
 constexpr int kRounds = 4;
 constexpr float kTrust = 0.9F;  // that who would see them does: two eyes are better than one
 constexpr double kNever = -1e9;
+constexpr double kFar_m = 1e6;
 
 class Dividing {
  public:
@@ -42,32 +43,26 @@ class Dividing {
     return sum;
   }
 
+  std::size_t near() const { return near_; }
+
  private:
   const SeatBid& bid(std::size_t v, Seat seat) const { return members_[v].bids[seat.number]; }
   SeatRing ring_of(std::size_t v) const { return v == near_ ? SeatRing::kNear : SeatRing::kFar; }
 
-  double alone(std::size_t v, Seat seat) const {
-    const SeatBid& b = bid(v, seat);
-    if (!b.possible()) return kNever;
-    double seen = 0.0;
-    for (int i = 0; i < out_.intention_count; ++i) seen += out_.intentions[i] * b.sees[i];
-    return seen - params_.way_weight_per_s * b.way_s +
-           (seat == members_[v].seat ? params_.keep_weight : 0.0);
-  }
-
-  // The near ring goes to whom it costs least to hold; who holds it is ahead.
+  // Who is near stays so for as long as they know where the person is: to change over takes time in
+  // which nobody is there. Else the nearest of those who see them.
   std::size_t choose_near() const {
     std::size_t best = 0;
-    double most = kNever;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t v = 0; v < members_.size(); ++v) {
-      const bool holds = !members_[v].seat.is_none() && members_[v].seat.ring() == SeatRing::kNear;
-      for (int sector = 0; sector < kSeatSectors; ++sector) {
-        const double worth =
-            alone(v, Seat::of(sector, SeatRing::kNear)) + (holds ? 4.0 * params_.keep_weight : 0.0);
-        if (worth <= most) continue;
-        most = worth;
-        best = v;
-      }
+      const FleetPerson* person = members_[v].followed();
+      const bool knows = person && (person->status == TrackStatus::kTracking ||
+                                    person->status == TrackStatus::kCoasting);
+      double cost = knows ? distance_xy(members_[v].position_enu_m, person->position_enu_m) : kFar_m;
+      if (knows && members_[v].is_near) cost = -1.0;
+      if (cost >= least) continue;
+      least = cost;
+      best = v;
     }
     return best;
   }
@@ -162,6 +157,7 @@ FleetDivision divide(std::span<const FleetMember> members, const FleetParams& pa
   for (int v = 0; v < out.count; ++v) {
     FleetPart& part = out.parts[v];
     part.vehicle = members[v].vehicle;
+    part.ring = static_cast<std::size_t>(v) == dividing.near() ? SeatRing::kNear : SeatRing::kFar;
     if (!part.seat.is_none()) part.sees = members[v].bids[part.seat.number].sees;
   }
   return out;

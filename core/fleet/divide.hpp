@@ -12,7 +12,8 @@ namespace foretrack {
 /// One vehicle's part.
 struct FleetPart {
   ShortText vehicle;
-  Seat seat;
+  SeatRing ring = SeatRing::kFar;
+  Seat seat;  ///< none: from anywhere in the ring
   std::array<float, kMaxIntentions> sees{};  ///< as it bids for the seat
 };
 

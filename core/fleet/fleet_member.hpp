@@ -80,6 +80,7 @@ struct FleetMember {
   int intention_count = 0;
   std::array<double, kMaxIntentions> intentions{};  ///< probabilities, of the one it follows
   Seat seat;                                        ///< that it holds
+  bool is_near = false;                             ///< it is the one in the band
   std::array<SeatBid, kSeatCount> bids{};
 
   std::span<const FleetPerson> all_persons() const {

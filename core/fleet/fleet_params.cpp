@@ -40,6 +40,8 @@ ParamRows rows(FleetParams& p) {
       {"spacing_weight", &p.spacing_weight, "1", 0.0, 1.0, "cost of two vehicles on one side"},
       {"by_intention", &p.by_intention, "1", 0.0, 1.0,
        "seats are given by what is seen over all intentions; else evenly"},
+      {"directions", &p.directions, "1", 0.0, 1.0,
+       "a seat's direction is flown to; else its distance alone"},
   };
 }
 

@@ -31,6 +31,7 @@ struct FleetParams {
   double picture_weight = 0.02;
   double spacing_weight = 0.05;
   bool by_intention = true;
+  bool directions = true;
 };
 
 /// One row for each field: name, unit, range, meaning.

@@ -32,6 +32,7 @@ struct FleetState {
   std::array<FleetPeer, kFleetCapacity - 1> peers;
   std::uint32_t sequence_number = 0;  ///< of the newest message of ours
   Seat seat;                          ///< that we hold
+  bool is_near = false;               ///< we are the one in the band
 
   std::span<FleetPeer> all() { return {peers.data(), static_cast<std::size_t>(count)}; }
   std::span<const FleetPeer> all() const {

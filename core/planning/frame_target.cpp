@@ -41,7 +41,8 @@ double wanted_or(double wanted, double otherwise) {
 void move_distance_and_height(FramingState& s, const Framing& wanted, double dt_s,
                               const PlanningParams& params) {
   const PlaceParams& place = params.place;
-  const double most_m = params.framing.framing_change_m_s * dt_s;
+  const double most_m =
+      (wanted.is_seat ? params.framing.seat_change_m_s : params.framing.framing_change_m_s) * dt_s;
   s.distance_m =
       moved(s.distance_m, wanted_or(wanted.distance_m, params.distance_wanted_m()), most_m);
   const double steepest_m = s.distance_m * std::tan(params.framing.framing_elevation_max_rad);
@@ -55,10 +56,6 @@ void move_distance_and_height(FramingState& s, const Framing& wanted, double dt_
 double fixed_bearing(const FramingState& s, const Framing& wanted) {
   return std::isnan(wanted.bearing_enu_rad) ? s.course_rad + wanted.bearing_rad
                                             : wanted.bearing_enu_rad;
-}
-
-bool is_seat(const Framing& wanted) {
-  return !std::isnan(wanted.bearing_enu_rad);
 }
 
 // What is wanted leads the vehicle by no more than it can be seen to follow.
@@ -79,7 +76,7 @@ void move_bearing(FramingState& s, const PlanInput& in, double dt_s, const Plann
   b.at_s = in.now_s;
   b.now_rad = wrap_angle(vehicle_rad + lead_rad);
   b.circling_rad_s = wanted.circling_rad_s;
-  b.rate_rad_s = (is_seat(wanted) ? params.framing.seat_around_m_s
+  b.rate_rad_s = (wanted.is_seat ? params.framing.seat_around_m_s
                                   : params.framing.framing_around_m_s) /
                  s.distance_m;
   s.gone_round_rad = circles ? wrap_angle(s.gone_round_rad + wanted.circling_rad_s * dt_s) : 0.0;

@@ -101,6 +101,8 @@ ParamRows rows(FramingParams& p) {
       {"framing_around_m_s", &p.framing_around_m_s, "m/s", 0.01, 3.0,
        "the vehicle goes round the person so fast to where it is ordered, at most"},
       {"seat_around_m_s", &p.seat_around_m_s, "m/s", 0.01, 5.0, "the same, to its seat in a fleet"},
+      {"seat_change_m_s", &p.seat_change_m_s, "m/s", 0.05, 3.0,
+       "the distance of a seat in a fleet is come to so fast"},
       {"framing_half_angle_rad", &p.framing_half_angle_rad, "rad", 0.05, 1.5,
        "a bearing that is ordered is kept to within this"},
       {"framing_elevation_max_rad", &p.framing_elevation_max_rad, "rad", 0.0, 1.3,

@@ -50,12 +50,14 @@ void see_by_others(const TrackerState& state, double now_s, TargetState& target)
 }
 
 // What an operator orders comes before the seat.
-Framing framing_of(const TrackerState& state, const TrackerInput& input) {
+Framing framing_of(const TrackerState& state, const TrackerInput& input,
+                   const FleetParams& params) {
   Framing framing = state.gate.mission.framing;
   const SeatPlace& place = state.coordinated.place;
-  if (!input.fleet || place.seat.is_none() || !framing.is_free()) return framing;
-  framing.distance_m = place.distance_m;
-  framing.bearing_enu_rad = place.bearing_rad;
+  if (!input.fleet || place.is_alone || !framing.is_free()) return framing;
+  framing.is_seat = true;
+  if (place.ring == SeatRing::kFar) framing.distance_m = place.distance_m;
+  if (!place.seat.is_none() && params.directions) framing.bearing_enu_rad = place.bearing_rad;
   return framing;
 }
 
@@ -117,7 +119,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .map = out.map,
                       .bodies = kept_clear,
                       .flies_plans = state.gate.flies_plans,
-                      .framing = framing_of(state, input)},
+                      .framing = framing_of(state, input, params.fleet)},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;

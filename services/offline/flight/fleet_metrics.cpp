@@ -101,17 +101,17 @@ void measure_spread(Rows rows, FleetMetrics& m) {
   m.separation_score = counted > 0 ? sum / counted : 0.0;
 }
 
-int near_of(const FleetRow& row, const FleetMetricParams& p) {
+int near_of(const FleetRow& row) {
   for (std::size_t i = 0; i < row.members.size(); ++i)
-    if (row.members[i].there && row.members[i].seat >= 0 && row.members[i].seat < p.near_seats)
+    if (row.members[i].there && row.members[i].is_near)
       return static_cast<int>(i);
   return -1;
 }
 
-void measure_handovers(Rows rows, const FleetMetricParams& p, FleetMetrics& m) {
+void measure_handovers(Rows rows, FleetMetrics& m) {
   int before = -1;
   for (const FleetRow& row : rows) {
-    const int now = near_of(row, p);
+    const int now = near_of(row);
     if (now < 0) continue;
     m.handovers += before >= 0 && now != before;
     before = now;
@@ -136,7 +136,7 @@ FleetMetrics fleet_metrics_of(Rows rows, std::span<const TruthEvent> events,
   m.longest_unseen_s = longest_unseen_s(rows, step_s);
   measure_separation(rows, params, m);
   measure_spread(rows, m);
-  measure_handovers(rows, params, m);
+  measure_handovers(rows, m);
   double bytes = 0.0, there_s = 0.0;
   for (const FleetRow& row : rows) {
     bytes += row.told_bytes;

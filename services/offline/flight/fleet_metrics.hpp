@@ -18,6 +18,7 @@ struct FleetRowMember {
   bool peer_hides = false;  // another vehicle is what hides the person from it
   double distance_m = 0.0;  // to the person, horizontally
   int seat = -1;            // that it holds
+  bool is_near = false;     // it is the one in the band
 };
 
 /// All of them.
@@ -56,7 +57,6 @@ struct FleetMetricParams {
   double separation_m = 1.0;
   double downwash_m = 2.0;
   double band_low_m = 1.5, band_high_m = 2.5;
-  int near_seats = 12;  // numbers below it are of the band
 };
 
 /// Precondition: rows at equal steps, with the same vehicles. events: the person's, in time order.

@@ -23,6 +23,7 @@ struct Flyer {
   Inbox<FleetMember> inbox;
   std::vector<FleetMember> heard;
   int seat = -1;
+  bool is_near = false;
 };
 
 double failure_s(const Scenario& scenario, const std::string& name, FleetFailureKind kind) {
@@ -113,6 +114,7 @@ class FlyingFleet {
 
   void tell(Flyer& f, const FleetResult& fleet) {
     f.seat = fleet.place.seat.number;
+    f.is_near = fleet.place.ring == SeatRing::kNear;
     rows_.back().told_bytes += bytes_of(fleet.message);
     for (Flyer& other : flyers_) {
       if (&other == &f) continue;
@@ -142,7 +144,8 @@ class FlyingFleet {
             .sees = row.sight.visible() && !blind,
             .peer_hides = peer_hides(f, row),
             .distance_m = row.distance_m(),
-            .seat = f.seat};
+            .seat = f.seat,
+            .is_near = f.is_near};
   }
 
   FleetFlight finish() {
@@ -162,8 +165,7 @@ class FlyingFleet {
                                     .separation_m = params_.fleet.separation_m,
                                     .downwash_m = params_.fleet.downwash_m,
                                     .band_low_m = metrics.band_low_m,
-                                    .band_high_m = metrics.band_high_m,
-                                    .near_seats = kSeatSectors});
+                                    .band_high_m = metrics.band_high_m});
     out.rows = std::move(rows_);
     return out;
   }
