@@ -8,6 +8,7 @@
 #include "core/bodies/bodies_around.hpp"
 #include "core/mapping/update_map.hpp"
 #include "core/perception/perceive.hpp"
+#include "core/perception/stream_params.hpp"
 #include "core/planning/plan.hpp"
 #include "core/prediction/predict.hpp"
 #include "core/safety/gate.hpp"
@@ -22,6 +23,7 @@ struct TrackerParams {
   PredictionParams prediction;
   PlanningParams planning;
   SafetyParams safety;
+  StreamParams ground_stream;  ///< of the service that perceives; the tracker sends no pictures
 };
 
 /// What is new at now_s. A null pointer: nothing of that kind came. What pointers lead to is read

@@ -57,9 +57,13 @@ std::string range_of(const ParamRow& row) {
 }  // namespace
 
 Stages stages_of(TrackerParams& params) {
-  return {{"perception", rows(params.perception)}, {"mapping", rows(params.mapping)},
-          {"bodies", rows(params.bodies)},         {"prediction", rows(params.prediction)},
-          {"planning", rows(params.planning)},     {"safety", rows(params.safety)}};
+  return {{"perception", rows(params.perception)},
+          {"mapping", rows(params.mapping)},
+          {"bodies", rows(params.bodies)},
+          {"prediction", rows(params.prediction)},
+          {"planning", rows(params.planning)},
+          {"safety", rows(params.safety)},
+          {"ground_stream", rows(params.ground_stream)}};
 }
 
 std::string find_params(const std::string& name_or_file) {

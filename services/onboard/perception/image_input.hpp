@@ -16,6 +16,7 @@
 #include "services/onboard/camera_mount.hpp"
 #include "services/onboard/camera_sight.hpp"
 #include "services/onboard/inputs.hpp"
+#include "services/onboard/perception/ground_stream.hpp"
 
 namespace foretrack {
 
@@ -34,9 +35,11 @@ class ImageInput {
   using OnPeople = std::function<void(const PeopleSeen&)>;
 
   /// At each image `seen` is called, and then `people`, with all others. `track` and `vehicle` say
-  /// where the person is expected; they outlive this.
-  ImageInput(Service& service, const PerceptionParams& params, const PerceptionState& track,
-             const VehicleInput& vehicle, OnSeen seen, OnPeople people);
+  /// where the person is expected; they outlive this. Each image goes to the ground, too, also one
+  /// that the network cannot look at.
+  ImageInput(Service& service, const PerceptionParams& params, const StreamParams& stream,
+             const PerceptionState& track, const VehicleInput& vehicle, OnSeen seen,
+             OnPeople people);
 
   /// Why images are of no use now; empty: they are, or none come.
   const std::string& trouble() const { return trouble_; }
@@ -73,10 +76,12 @@ class ImageInput {
   std::optional<Reader<topics::DepthCameraInfo>> depth_info_;
   std::optional<Reader<topics::DepthImage>> depth_image_;
   std::optional<CameraWithLens> camera_;
+  sensor_msgs::msg::CameraInfo camera_info_;  // that says so
   std::optional<DepthReader> depth_camera_;
   std::optional<PoseNetwork> network_;
   PoseState pose_;
   RgbImage rgb_;
+  GroundStream ground_;
   DepthImage depth_;
   TargetObservation observation_;
   PeopleSeen people_;

@@ -26,7 +26,7 @@ constexpr char kAmbiguous[] = "several people could be the one who is followed; 
 }  // namespace
 
 PerceptionService::PerceptionService(Service& service, const PerceptionParams& params,
-                                     const BodyParams& body_params)
+                                     const BodyParams& body_params, const StreamParams& stream)
     : service_(service),
       params_(params),
       body_params_(body_params),
@@ -38,7 +38,7 @@ PerceptionService::PerceptionService(Service& service, const PerceptionParams& p
       bodies_(service.node()),
       markers_(service.node()),
       images_(
-          service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); },
+          service, params, stream, state_, vehicle_, [this](const auto& seen) { take_seen(seen); },
           [this](const PeopleSeen& people) { take_sightings(people.sightings, people.looks); }) {
   service.loop().on_each(observation_, [this](const auto& message) { take(message); });
   service.loop().on_each(sightings_, convert,
@@ -156,9 +156,9 @@ void PerceptionService::publish_markers(const TargetState& target) {
 }
 
 void run_perception(const ServiceOptions& options, const PerceptionParams& params,
-                    const BodyParams& body_params, Stop& stop) {
+                    const BodyParams& body_params, const StreamParams& stream, Stop& stop) {
   Service service("perception", options, stop);
-  PerceptionService stage(service, params, body_params);
+  PerceptionService stage(service, params, body_params, stream);
   service.run();
 }
 

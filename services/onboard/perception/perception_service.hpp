@@ -26,7 +26,7 @@ namespace foretrack {
 class PerceptionService {
  public:
   PerceptionService(Service& service, const PerceptionParams& params,
-                    const BodyParams& body_params = {});
+                    const BodyParams& body_params = {}, const StreamParams& stream = {});
 
  private:
   struct Waiting {
@@ -71,6 +71,6 @@ class PerceptionService {
 
 /// Until the stop is requested.
 void run_perception(const ServiceOptions& options, const PerceptionParams& params,
-                    const BodyParams& body_params, Stop& stop);
+                    const BodyParams& body_params, const StreamParams& stream, Stop& stop);
 
 }  // namespace foretrack
