@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from "preact";
+import { useEffect, useState } from "preact/hooks";
 
 import { rank } from "../store/alarms.ts";
 import { bytes, duration, timeOfDay } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
+import { chooseLanguage, languages, t } from "../ui/words.ts";
 import { Badge } from "./badge.tsx";
 import { Commands } from "./commands.tsx";
 
@@ -47,6 +49,30 @@ function Record({ session }: { session: Session }) {
   );
 }
 
+function Mute({ session }: { session: Session }) {
+  const { muted } = session.sound;
+  const word = muted ? t("alarms are silent: let them sound (M)") : t("silence alarms (M)");
+  return (
+    <button class="quiet" aria-pressed={muted} aria-label={word} title={word}
+      onClick={() => {
+        session.sound.toggle();
+        session.changed();
+      }}>{muted ? "🔇" : "🔔"}</button>
+  );
+}
+
+function LanguageMenu() {
+  const [known, setKnown] = useState<[string, string][]>([]);
+  useEffect(() => void languages().then(setKnown), []);
+  if (known.length < 2) return null;
+  return (
+    <select class="quiet" aria-label={t("language")} value={document.documentElement.lang}
+      onChange={(event) => chooseLanguage(event.currentTarget.value)}>
+      {known.map(([code, name]) => <option key={code} value={code}>{name}</option>)}
+    </select>
+  );
+}
+
 interface Props { session: Session; stop: ComponentChildren; help(): void }
 
 export function TopBar({ session, stop, help }: Props) {
@@ -59,7 +85,9 @@ export function TopBar({ session, stop, help }: Props) {
       <Alarms session={session} />
       <span class="spring" />
       {stop ? <Commands session={session} /> : null}
-      <button class="quiet" onClick={help} aria-label="keys">?</button>
+      <Mute session={session} />
+      <LanguageMenu />
+      <button class="quiet" onClick={help} aria-label={t("keys")}>?</button>
       {stop}
     </header>
   );

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
 import {
-  type BatteryStatus, type MissionCommand, type Odometry, type PlannedTrajectory, seconds,
+  type BatteryStatus, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
   type SafetyState, type ServiceHealth, type TargetIntention, type TargetState,
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
 import {
-  GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track,
+  boundsCommand, GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track,
 } from "../data/words.ts";
 import { colorOfRgb } from "../ui/palette.ts";
 import { hold, note } from "./alarms.ts";
 import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
-import type { Rung, Severity, State, Vehicle } from "./state.ts";
+import type { Bounds, Rung, Severity, State, Vehicle } from "./state.ts";
 
 type Fold = (state: State, vehicle: Vehicle, sample: Sample) => void;
 
@@ -20,6 +20,7 @@ const foldOdometry: Fold = (_state, vehicle, { message, time_s }) => {
   const odometry = message as Odometry;
   const { x, y, z } = odometry.pose.pose.position;
   vehicle.trail.push(time_s, x, y, z);
+  vehicle.poses.push(seconds(odometry.header.stamp), odometry);
   const target = vehicle.latest["target/state"]?.message;
   const v = target && target.status !== Track.none
     ? Math.hypot(target.velocity_mps[0]!, target.velocity_mps[1]!) : null;
@@ -76,6 +77,7 @@ const foldSafety: Fold = (state, vehicle, { message, time_s }) => {
   climb(state, vehicle, safety, time_s);
   hold(state, vehicle.name, "second writer", Boolean(safety.alarm), "alarm", safety.alarm ?? "");
   measureLatency(vehicle, safety, time_s);
+  settleBounds(vehicle, safety);
 };
 
 // The first cause that is heard may be old: its setpoint may have come before we listened.
@@ -134,10 +136,39 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
 }
 
 const foldCommand: Fold = (state, vehicle, { message }) => {
-  const { command, operator_id } = message as MissionCommand;
+  const { command, operator_id, id } = message as MissionCommand;
   if (command === leaseCommand) return;
+  if (command === boundsCommand)
+    vehicle.ordered = { command_id: id, bounds: boundsOf(message as MissionCommand) };
   note(state, vehicle.name, "info",
     `${operator_id || "someone"} orders: ${words.commandWord(command)}`);
+};
+
+function boundsOf(order: MissionCommand): Bounds {
+  const at = Array.from(order.fence_m ?? []);
+  const altitude = (value?: number): number | null =>
+    value !== undefined && Number.isFinite(value) ? value : null;
+  return {
+    fence_m: Array.from({ length: at.length >> 1 }, (_, i) => [at[2 * i]!, at[2 * i + 1]!]),
+    altitude_min_m: altitude(order.altitude_min_m),
+    altitude_max_m: altitude(order.altitude_max_m),
+  };
+}
+
+// They count once the gate has taken them.
+function settleBounds(vehicle: Vehicle, safety: SafetyState): void {
+  const { ordered } = vehicle;
+  if (!ordered || safety.command_id !== ordered.command_id) return;
+  if (safety.command_result === Result.pending) return;
+  const { accepted, acceptedUnwritten } = Result;
+  if (safety.command_result === accepted || safety.command_result === acceptedUnwritten)
+    vehicle.bounds = ordered.bounds;
+  vehicle.ordered = null;
+}
+
+const foldBodies: Fold = (_state, vehicle, { message }) => {
+  const bodies = message as MovingBodies;
+  vehicle.looks.push(seconds(bodies.header.stamp), bodies);
 };
 
 const foldHealth: Fold = (state, vehicle, { message }) => {
@@ -163,6 +194,7 @@ export const folders: Record<string, Fold> = {
   "target/state": foldTarget,
   "target/intention": foldIntention,
   "plan/trajectory": foldPlan,
+  "bodies": foldBodies,
   "safety/state": foldSafety,
   "mission/command": foldCommand,
   "health": foldHealth,

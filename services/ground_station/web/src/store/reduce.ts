@@ -2,7 +2,7 @@
 // The store: folds samples, the passing of time and the link's state into State. It reads no clock,
 // so the same inputs give the same state, live or replayed. State is changed in place: thousands of
 // samples come a second.
-import type { DiagnosticArray, ServiceHealth } from "../data/messages.ts";
+import type { DiagnosticArray, ServiceHealth, TransformMessage } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import type { StationStatus } from "../data/station.ts";
 import { ownerOf } from "../data/topics.ts";
@@ -54,6 +54,7 @@ function foldSample(state: State, sample: Sample): void {
   count(state, sample);
   if (sample.name === "station/status") return hearStatus(state, sample);
   if (sample.name === "diagnostics") return hearDiagnostics(state, sample);
+  if (sample.name === "tf_static") return hearMounts(state, sample);
   const vehicle = vehicleOf(state, sample);
   if (!vehicle) return;
   vehicle.heard_s = sample.time_s;
@@ -115,6 +116,12 @@ function measureTraffic(state: State): void {
     t.bytes_s = (t.total - t.mark.total) / elapsed_s;
     t.mark = { time_s: state.now_s, count: t.count, total: t.total };
   }
+}
+
+function hearMounts(state: State, sample: Sample): void {
+  const message = sample.message as TransformMessage | undefined;
+  for (const transform of message?.transforms ?? [])
+    state.mounts.set(transform.child_frame_id, transform);
 }
 
 function hearDiagnostics(state: State, sample: Sample): void {

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Orders and leases, and what came of them.
 import { outcome } from "../data/words.ts";
-import type { Command, LeaseAction } from "./operator.ts";
+import { adviceFor } from "./advice.ts";
+import type { Command, LeaseAction, OrderDetails } from "./operator.ts";
 import type { Session } from "./session.ts";
+import { t } from "./words.ts";
 
-export async function order(session: Session, vehicle: string, command: Command): Promise<void> {
-  if (!vehicle) return session.notice("no vehicle to command");
+/** Whether it was taken. */
+export async function order(session: Session, vehicle: string, command: Command,
+                            details?: OrderDetails): Promise<boolean> {
+  if (!vehicle) {
+    session.notice(t("no vehicle to command"));
+    return false;
+  }
   session.notice(`${command} ${vehicle} …`);
-  const { ok, reason, answered } = await session.operator.command(vehicle, command);
+  const { ok, reason, answered } = await session.operator.command(vehicle, command, details);
   const word = answered === false ? "NOT CONFIRMED" : "refused";
   const result = ok ? "sent" : outcome(word, reason);
-  session.notice(`${command} ${vehicle}: ${result}`, !ok);
+  const advice = ok ? "" : adviceFor(reason);
+  session.notice(`${command} ${vehicle}: ${result}${advice && `. ${advice}`}`, !ok);
+  return ok;
 }
 
 export async function lease(session: Session, vehicle: string, action: LeaseAction,
