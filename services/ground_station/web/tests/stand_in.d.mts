@@ -8,6 +8,9 @@ export interface StandIn {
   doubtful: Set<string>;
   unconfirmed: Map<string, { command: string; operator: string; still_sent: boolean }>;
   received: string[];
+  bodies: Record<string, unknown>[];
+  chosen: Map<string, { state: number; person_id: number }>;
+  blind: Set<string>;
   recordings: Map<string, Uint8Array>;
   close(): void;
 }

@@ -4,6 +4,7 @@ import { useEffect, useState } from "preact/hooks";
 
 import { rank } from "../store/alarms.ts";
 import { bytes, duration, timeOfDay } from "../ui/format.ts";
+import { Icon } from "../ui/icon.tsx";
 import type { Session } from "../ui/session.ts";
 import { chooseLanguage, languages, t } from "../ui/words.ts";
 import { Badge } from "./badge.tsx";
@@ -57,7 +58,7 @@ function Mute({ session }: { session: Session }) {
       onClick={() => {
         session.sound.toggle();
         session.changed();
-      }}>{muted ? "🔇" : "🔔"}</button>
+      }}><Icon name={muted ? "silent" : "sound"} /></button>
   );
 }
 
@@ -68,7 +69,9 @@ function LanguageMenu() {
   return (
     <select class="quiet" aria-label={t("language")} value={document.documentElement.lang}
       onChange={(event) => chooseLanguage(event.currentTarget.value)}>
-      {known.map(([code, name]) => <option key={code} value={code}>{name}</option>)}
+      {known.map(([code, name]) => (
+        <option key={code} value={code} title={name}>{code.toUpperCase()}</option>
+      ))}
     </select>
   );
 }

@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import { obstacle } from "../panels/commands.tsx";
 import { age, timeOfDay } from "../ui/format.ts";
+import { Icon } from "../ui/icon.tsx";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
 import { FollowButton, People } from "./people.tsx";
@@ -62,7 +63,7 @@ function TapMenu({ session, tapped, close }:
       <b>{t("person {id}", { id: box.id })}{far}</b>
       <FollowButton session={session} box={box} done={close} focus />
       {why && !session.replay ? <small>{why}</small> : null}
-      <button class="quiet" aria-label={t("close")} onClick={close}>×</button>
+      <button class="quiet" aria-label={t("close")} onClick={close}><Icon name="close" /></button>
     </div>
   );
 }
@@ -113,7 +114,7 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
   };
   const small = layout === "inset" && !full;
   return (
-    <section class={`picture ${full ? "full" : ""} ${old ? "old" : ""} ${none ? "none" : ""}`}
+    <section class={`camview ${full ? "full" : ""} ${old ? "old" : ""} ${none ? "none" : ""}`}
       aria-label={t("picture")} ref={section}
       onKeyDown={(event) => {
         if (event.key !== "Escape") return;
@@ -133,15 +134,15 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
       <nav class="tools" aria-label={t("picture")}>
         {swap ? (
           <button onClick={swap} title={small ? t("picture large") : t("picture small")}
-            aria-label={small ? t("picture large") : t("picture small")}>{small ? "⤢" : "⤡"}</button>
+            aria-label={small ? t("picture large") : t("picture small")}><Icon name={small ? "larger" : "smaller"} /></button>
         ) : null}
         <button onClick={toggleFull} aria-pressed={full} title={t("full screen")}
-          aria-label={t("full screen")}>⛶</button>
+          aria-label={t("full screen")}><Icon name="full" /></button>
         <button onClick={() => void snapshot(session, screen.current)} title={t("snapshot")}
-          aria-label={t("snapshot")}>◫</button>
+          aria-label={t("snapshot")}><Icon name="camera" /></button>
         {hide ? (
           <button onClick={hide} title={t("hide the picture")}
-            aria-label={t("hide the picture")}>×</button>
+            aria-label={t("hide the picture")}><Icon name="close" /></button>
         ) : null}
       </nav>
       {small ? null : <People session={session} boxes={screen.current?.people ?? []} />}
