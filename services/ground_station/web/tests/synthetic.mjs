@@ -151,14 +151,15 @@ function bodies(t, index, chosen = 1) {
     body(2, chosen === 2, other, [])] };
 }
 
-const portraits = { 1: portrait(1), 2: portrait(2) };
+const portraits = {};
+const portraitOf = (id) => (portraits[id] ??= portrait(id));
 
 /** state: as in TargetChoice; in doubt, both are candidates. */
 function choice(t, index, { state = 1, person_id = 1 } = {}) {
   const candidates = state === 2 ? [1, 2].map((id) => ({ person_id: id, likeness: 0.9 - 0.2 * id,
-    position_m: [0, 0, 1.2], picture: portraits[id] })) : [];
+    position_m: [0, 0, 1.2], picture: portraitOf(id) })) : [];
   return { header: headerOf(t), state, person_id, likeness: state === 1 ? 0.93 : 0.5,
-    waits_s: state === 2 ? 8 : 0, picture: portraits[1], candidates };
+    waits_s: state === 2 ? 8 : 0, picture: portraitOf(1), candidates };
 }
 
 function box(x, y) {

@@ -107,6 +107,7 @@ export const ServiceState = { running: 0, degraded: 1, stopping: 2 } as const;
 export const leaseCommand = 6;
 export const boundsCommand = 9;
 export const Result = { accepted: 1, pending: 10, acceptedUnwritten: 11 } as const;
+export const personKind = 0;
 export const Choice = { waiting: 0, following: 1, doubtful: 2, searching: 3, lost: 4 } as const;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The chosen vehicle in words, over the scene: as the terminal view says it.
 import type { SafetyState } from "../data/messages.ts";
-import { explainGate, explainPlan, modeWord, planWord, PlanState, searchWord, trackWord, Track,
+import { choiceOf, choiceText } from "../picture/choice.tsx";
+import { Choice, explainGate, explainPlan, modeWord, planWord, PlanState, searchWord, trackWord, Track,
 } from "../data/words.ts";
 import { band_m, distance_m, yawError_rad } from "../store/derive.ts";
 import { age_s } from "../store/state.ts";
@@ -9,6 +10,7 @@ import { stale_s } from "../store/watch.ts";
 import { number } from "../ui/format.ts";
 import { colorOfRgb, spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { Aged } from "./badge.tsx";
 
 /** Why the autopilot would refuse offboard mode, which the gate adds to its text. */
@@ -26,6 +28,7 @@ export function Readout({ session }: { session: Session }) {
   const plan = latest["plan/trajectory"];
   const safety = latest["safety/state"];
   const search = latest["target/search"];
+  const choice = choiceOf(session);
   const error = yawError_rad(odometry, target?.message);
   const error_deg = error === null ? null : (error * 180) / Math.PI;
   const gap_m = distance_m(odometry, target?.message);
@@ -41,6 +44,11 @@ export function Readout({ session }: { session: Session }) {
         <span data-field="distance" class={inBand ? "" : "off"}>{number(gap_m, 2, "m")}</span>{" "}
         <span data-field="bearing">{number(error_deg, 0)}° off</span>
       </Aged></dd>
+      {choice && <>
+        <dt>{t("choice")}</dt>
+        <dd class={choice.state === Choice.doubtful ? "off" : ""} data-field="choice">
+          {choiceText(choice)}</dd>
+      </>}
       <dt>intention</dt>
       <dd><Aged age_s={age_s(state, intention)} limit_s={stale_s}>
         <span class="odds">{intention?.message.intentions.map((i) => (

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from "preact";
-import { useEffect, useState } from "preact/hooks";
 
 import { rank } from "../store/alarms.ts";
 import { bytes, duration, timeOfDay } from "../ui/format.ts";
 import { Icon } from "../ui/icon.tsx";
 import type { Session } from "../ui/session.ts";
-import { chooseLanguage, languages, t } from "../ui/words.ts";
+import { t } from "../ui/words.ts";
 import { Badge } from "./badge.tsx";
 import { Commands } from "./commands.tsx";
 
@@ -62,20 +61,6 @@ function Mute({ session }: { session: Session }) {
   );
 }
 
-function LanguageMenu() {
-  const [known, setKnown] = useState<[string, string][]>([]);
-  useEffect(() => void languages().then(setKnown), []);
-  if (known.length < 2) return null;
-  return (
-    <select class="quiet" aria-label={t("language")} value={document.documentElement.lang}
-      onChange={(event) => chooseLanguage(event.currentTarget.value)}>
-      {known.map(([code, name]) => (
-        <option key={code} value={code} title={name}>{code.toUpperCase()}</option>
-      ))}
-    </select>
-  );
-}
-
 interface Props { session: Session; stop: ComponentChildren; help(): void }
 
 export function TopBar({ session, stop, help }: Props) {
@@ -89,8 +74,7 @@ export function TopBar({ session, stop, help }: Props) {
       <span class="spring" />
       {stop ? <Commands session={session} /> : null}
       <Mute session={session} />
-      <LanguageMenu />
-      <button class="quiet" onClick={help} aria-label={t("keys")}>?</button>
+      <button class="quiet" data-for="keys" onClick={help} aria-label={t("keys")}>?</button>
       {stop}
     </header>
   );

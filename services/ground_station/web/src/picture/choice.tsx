@@ -30,6 +30,16 @@ export function choiceText(choice: TargetChoice): string {
     : `${t(choiceWord(state))}: ${who}`;
 }
 
+export function ChoiceLine({ session }: { session: Session }) {
+  const choice = choiceOf(session);
+  if (!choice) return null;
+  const bad = choice.state === Choice.doubtful || choice.state === Choice.lost;
+  return (
+    <output class={`choiceline ${bad ? "bad" : ""}`} data-field="choice-line">
+      {choiceText(choice)}</output>
+  );
+}
+
 /** JPEG bytes as an image; freed when it goes. */
 function Portrait({ bytes, label }: { bytes: Uint8Array; label: string }) {
   const [url, setUrl] = useState("");

@@ -2,6 +2,7 @@
 // What is drawn over a picture, in its own pixels: everybody who is known, ways, the plan.
 import { type CompressedImage, type MovingBodies, type MovingBody, seconds,
 } from "../data/messages.ts";
+import { personKind } from "../data/words.ts";
 import { samplePlan } from "../store/derive.ts";
 import { age_s, type State, type Vehicle } from "../store/state.ts";
 import { stale_s } from "../store/watch.ts";
@@ -9,16 +10,19 @@ import { colorOfRgb } from "../ui/palette.ts";
 import { mountOf, type Pixel, type Point, poseAt, project, projectLine, type View,
 } from "./project.ts";
 
-export interface Box {
+/** Somebody who can be pointed at. */
+export interface Somebody {
   id: number;
+  followed: boolean;
+  person: boolean;
+  distance_m: number | null;
+}
+export interface Box extends Somebody {
   left: number;
   top: number;
   right: number;
   bottom: number;
-  followed: boolean;
-  person: boolean;
   seen: boolean; // in an image; else it is where they are thought to be
-  distance_m: number | null;
 }
 export interface Way { color: string; share: number; pieces: Pixel[][] }
 export interface Overlay {
@@ -31,7 +35,6 @@ export interface Overlay {
 }
 
 const apart_s = 0.25; // an image and what was seen in it
-const personKind = 0;
 const torso_m = 1.2; // of the middle of the torso over the ground
 // BlazePose's joints.
 const joints = [[11, 12], [11, 23], [12, 24], [23, 24], [11, 13], [13, 15], [12, 14], [14, 16],

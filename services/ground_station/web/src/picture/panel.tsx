@@ -2,13 +2,11 @@
 // What the vehicle sees: as large as wanted, with everybody in it, who can be tapped to be followed.
 import { useEffect, useRef, useState } from "preact/hooks";
 
-import { obstacle } from "../panels/commands.tsx";
 import { age, timeOfDay } from "../ui/format.ts";
 import { Icon } from "../ui/icon.tsx";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
-import { FollowButton, People } from "./people.tsx";
-import type { Box } from "./overlay.ts";
+import { People, TapMenu, type Tapped } from "./people.tsx";
 import { PictureScreen, pictureAge_s } from "./screen.ts";
 
 const old_s = 1;
@@ -47,25 +45,6 @@ async function snapshot(session: Session, screen: PictureScreen | null): Promise
   const blob = await screen?.snapshot(`${vehicle}  ${time} UTC`);
   if (blob) download(blob, `${vehicle}_${time.replace(/[:.]/g, "")}.png`);
   else session.notice(t("There is no picture to keep."), true);
-}
-
-interface Tapped { box: Box; x: number; y: number }
-
-function TapMenu({ session, tapped, close }:
-    { session: Session; tapped: Tapped; close(): void }) {
-  const { box, x, y } = tapped;
-  const far = box.distance_m === null ? "" : ` · ${box.distance_m.toFixed(1)} m`;
-  const why = obstacle(session);
-  return (
-    <div class="tapmenu" role="dialog" aria-label={t("person {id}", { id: box.id })}
-      style={{ left: `clamp(4px, ${x}px - 90px, 100% - 190px)`,
-        top: `clamp(4px, ${y}px + 8px, 100% - 96px)` }}>
-      <b>{t("person {id}", { id: box.id })}{far}</b>
-      <FollowButton session={session} box={box} done={close} focus />
-      {why && !session.replay ? <small>{why}</small> : null}
-      <button class="quiet" aria-label={t("close")} onClick={close}><Icon name="close" /></button>
-    </div>
-  );
 }
 
 function useFull(section: { current: HTMLElement | null }): [boolean, () => void] {
@@ -110,7 +89,7 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
     const rect = host.current!.getBoundingClientRect();
     const [x, y] = [event.clientX - rect.left, event.clientY - rect.top];
     const box = screen.current?.at(x, y) ?? null;
-    setTapped(box && { box, x, y });
+    setTapped(box && { who: box, x, y });
   };
   const small = layout === "inset" && !full;
   return (

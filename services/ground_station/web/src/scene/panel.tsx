@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 
+import { TapMenu, type Tapped } from "../picture/people.tsx";
 import { spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import type { ViewKind } from "./messages.ts";
@@ -13,8 +14,10 @@ const views: [ViewKind, string][] = [["follow", "Follow"], ["orbit", "Orbit"], [
 export function ScenePanel({ session, handle }: { session: Session; handle: SceneHandle }) {
   const host = useRef<HTMLDivElement>(null);
   const screen = useRef<SceneScreen | null>(null);
+  const [tapped, setTapped] = useState<Tapped | null>(null);
   useEffect(() => {
     screen.current = new SceneScreen(session, host.current!);
+    screen.current.onTap = setTapped;
     return () => screen.current?.destroy();
   }, []);
   handle.setView = (kind) => {
@@ -38,6 +41,9 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
         <button aria-pressed={screen.current?.cut ?? true} onClick={() => handle.cut()}
           title="cut walls low (W)">Cut walls</button>
       </nav>
+      {tapped ? (
+        <TapMenu session={session} tapped={tapped} close={() => setTapped(null)} />
+      ) : null}
       <Legend session={session} />
     </section>
   );

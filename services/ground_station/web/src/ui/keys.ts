@@ -27,7 +27,7 @@ export const keyHelp: [string, string][] = [
   ["← →", said("replay: 1 s back, on; with Shift 10 s")],
   [", .", said("replay: a step of 0.1 s back, on")],
   ["B", said("replay: bookmark")],
-  ["?", said("this help")],
+  ["?", said("this help, and the language")],
 ];
 
 export const spans_s = [10, 30, 60, 120];

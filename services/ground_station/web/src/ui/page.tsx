@@ -13,15 +13,16 @@ import { TopBar } from "../panels/top_bar.tsx";
 import { TopicsPanel } from "../panels/topics.tsx";
 import { VehicleStrip } from "../panels/vehicle_strip.tsx";
 import { FlyPanel } from "../fly/panel.tsx";
-import { ChoiceDialog } from "../picture/choice.tsx";
+import { ChoiceDialog, ChoiceLine } from "../picture/choice.tsx";
 import { type Layout, PicturePanel, whyNone } from "../picture/panel.tsx";
 import { Plots } from "../plots/panel.tsx";
 import { ScenePanel, type SceneHandle } from "../scene/panel.tsx";
 import { useNarrow, useSession } from "./hooks.ts";
+import { Icon } from "./icon.tsx";
 import { keyHelp, listenToKeys } from "./keys.ts";
 import { openRecording } from "./open_recording.ts";
 import type { Session } from "./session.ts";
-import { said, t } from "./words.ts";
+import { chooseLanguage, languages, said, t } from "./words.ts";
 
 const tabs = [said("Events"), said("Diagnostics"), said("Topics"), said("Recordings"),
   said("Control"), said("Fly")];
@@ -52,11 +53,27 @@ function TabBar({ names, tab, session, choose }: TabBarProps) {
   );
 }
 
+function LanguageMenu() {
+  const [known, setKnown] = useState<[string, string][]>([]);
+  useEffect(() => void languages().then(setKnown), []);
+  if (known.length < 2) return null;
+  return (
+    <label>{t("language")} <select value={document.documentElement.lang}
+      onChange={(event) => chooseLanguage(event.currentTarget.value)}>
+      {known.map(([code, name]) => (
+        <option key={code} value={code}>{name}</option>
+      ))}
+    </select></label>
+  );
+}
+
 function Help({ close }: { close(): void }) {
   return (
-    <dialog open class="help" onClick={close} aria-label="keys">
+    <dialog open class="help" aria-label={t("keys")}>
+      <button class="quiet" aria-label={t("close")} onClick={close}><Icon name="close" /></button>
       <h2>{t("Keys")}</h2>
       <dl>{keyHelp.map(([key, what]) => [<dt>{t(key)}</dt>, <dd>{t(what)}</dd>])}</dl>
+      <LanguageMenu />
     </dialog>
   );
 }
@@ -112,6 +129,7 @@ function NarrowPicture({ session }: { session: Session }) {
   return (
     <div class={`stage alone ${whyNone(session) ? "" : "has"}`}>
       <PicturePanel session={session} layout="picture" />
+      <ChoiceLine session={session} />
       <ChoiceDialog session={session} />
     </div>
   );
