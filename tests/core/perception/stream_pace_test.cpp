@@ -43,7 +43,7 @@ double busy_street(int quality) {
 
 TEST(StreamPaceTest, TheQualitySettlesWhereTheBandwidthIsUsedAndKept) {
   const Sent result = stream({}, 30.0, busy_street);
-  EXPECT_EQ(result.pictures, 300);
+  EXPECT_NEAR(result.pictures, 300, 2);
   EXPECT_LT(result.kbit_s, 1.05 * StreamParams{}.bandwidth_kbit_s);
   EXPECT_GT(result.kbit_s, 0.75 * StreamParams{}.bandwidth_kbit_s);
 }
@@ -59,13 +59,13 @@ TEST(StreamPaceTest, WhereTheWorstQualityIsTooLargeFewerPicturesAreSent) {
 TEST(StreamPaceTest, SmallPicturesAreNoBetterThanTheBestQuality) {
   const Sent result = stream({}, 30.0, [](int) { return 500.0; });
   EXPECT_EQ(result.quality, StreamParams{}.quality_max);
-  EXPECT_EQ(result.pictures, 300);
+  EXPECT_NEAR(result.pictures, 300, 2);
 }
 
 TEST(StreamPaceTest, TheRateIsKeptAlsoWhereTheCamerasIsNoMultipleOfIt) {
   const Sent result = stream({.rate_hz = 15.0}, 25.0, [](int) { return 500.0; });
   EXPECT_NEAR(result.pictures, 300, 3);
-  EXPECT_EQ(stream({.rate_hz = 30.0}, 25.0, [](int) { return 500.0; }).pictures, 500);
+  EXPECT_NEAR(stream({.rate_hz = 30.0}, 25.0, [](int) { return 500.0; }).pictures, 500, 2);
 }
 
 TEST(StreamPaceTest, AClockThatWasSetBackBeginsAnew) {

@@ -10,9 +10,10 @@ export interface StandIn {
   received: string[];
   bodies: Record<string, unknown>[];
   chosen: Map<string, { state: number; person_id: number }>;
-  blind: Set<string>;
+  blind: Set<string>; // vehicles that send no pictures
+  painted: number;
   recordings: Map<string, Uint8Array>;
   close(): void;
 }
-export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string }):
-  Promise<StandIn>;
+export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string;
+  blind?: boolean }): Promise<StandIn>;

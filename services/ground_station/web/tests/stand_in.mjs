@@ -31,12 +31,13 @@ class StandIn {
   received = []; // orders, as they came
   bodies = []; // of orders that say more than their name
   chosen = new Map(); // what perception says of who is followed, by vehicle
-  blind = new Set(); // vehicles that send no pictures
+  painted = 0; // pictures
   recordings = new Map(); // bytes by file name
 
-  constructor({ port = 0, vehicles = 1, dist = "dist" } = {}) {
+  constructor({ port = 0, vehicles = 1, dist = "dist", blind = false } = {}) {
     this.dist = dist;
     this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
+    this.blind = new Set(blind ? this.names : []);
     this.http = createServer((request, response) => void this.answer(request, response));
     this.sockets = new WebSocketServer({ server: this.http, path: "/ws",
       handleProtocols: () => "foxglove.websocket.v1" });
@@ -125,6 +126,7 @@ class StandIn {
       "sensor_msgs/CompressedImage");
     const isRead = [...this.clients.values()].some((subscribed) => subscribed.has(channel.id));
     if (!isRead) return;
+    this.painted++;
     for (const [topic, message] of pictureAt(this.step / 100, index))
       this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
   }

@@ -49,9 +49,9 @@ function FenceMap({ vehicle, fence, editable, change }: MapProps) {
     kept.current = mapAround([...trail, ...person, ...fence, ...(here ? [here] : [])], width, height);
   const map = kept.current;
   const at = (event: PointerEvent): Corner => {
-    const rect = svg.current!.getBoundingClientRect();
-    return toMetres(map, [((event.clientX - rect.left) / rect.width) * width,
-      ((event.clientY - rect.top) / rect.height) * height]);
+    const { x, y } = new DOMPoint(event.clientX, event.clientY)
+      .matrixTransform(svg.current!.getScreenCTM()!.inverse());
+    return toMetres(map, [x, y]);
   };
   const put = (i: number, corner: Corner): void => change(fence.map((c, k) => (k === i ? corner : c)));
   const { metres, px } = scaleOf(map);

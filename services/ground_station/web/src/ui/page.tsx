@@ -110,7 +110,7 @@ function useLayout(): [Layout, (layout: Layout) => void] {
 function Stage({ session, scene, layout, setLayout }: { session: Session; scene: SceneHandle;
   layout: Layout; setLayout(layout: Layout): void }) {
   return (
-    <div class={`stage ${layout}`}>
+    <div class={`stage with-${layout}`}>
       <ScenePanel session={session} handle={scene} />
       {layout === "scene" ? (
         <button class="showpicture" onClick={() => setLayout("inset")}>{t("Picture")}</button>
