@@ -21,6 +21,18 @@ bool MovingBodies::add(const MovingBody& body) {
   return true;
 }
 
+const MovingBody* nearest_person(const MovingBodies& bodies, const Vec3& place_enu_m) {
+  const MovingBody* nearest = nullptr;
+  double least_m = 0.0;
+  for (const MovingBody& body : bodies.all()) {
+    const double away_m = (body.position_enu_m - place_enu_m).head<2>().norm();
+    if (body.kind != BodyKind::kPerson || (nearest && away_m >= least_m)) continue;
+    nearest = &body;
+    least_m = away_m;
+  }
+  return nearest;
+}
+
 double gap_m(const Vec3& ball_center_enu_m, double ball_radius_m, const Vec3& cylinder_foot_enu_m,
              double cylinder_radius_m, double cylinder_height_m) {
   const Vec3 from_foot = ball_center_enu_m - cylinder_foot_enu_m;

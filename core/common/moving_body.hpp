@@ -56,6 +56,9 @@ struct MovingBodies {
   bool add(const MovingBody& body);
 };
 
+/// The person nearest to a place, over the ground; null: there are none.
+const MovingBody* nearest_person(const MovingBodies& bodies, const Vec3& place_enu_m);
+
 /// How any body may move, whatever it is expected to do.
 struct BodyMotionBounds {
   double speed_m_s = 2.0;          ///< greatest; or as fast as it is seen to be, if that is more

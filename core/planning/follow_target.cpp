@@ -16,15 +16,23 @@ double score_decelerate(const PlanTask& task) {
 
 // The ring d* is the middle of the band.
 SearchContext search_context(const PlanTask& task, const FlightSurface& surface,
-                             const BodyCourses& courses, double start_s) {
+                             const BodyCourses& courses, double start_s,
+                             const FramingState& framing) {
   const PlaceParams& place = task.params.place;
   const GridMap& map = *task.input.map;
   const double low_m = place.kept_low_m(score_decelerate(task));
   const double half_band_m = 0.5 * (place.kept_high_m() - low_m);
   const double tolerance_m =
       std::max(std::min(place.ring_tolerance_m, half_band_m), 0.5 * map.resolution_m);
-  return {map,         surface,  task.params, task.limits, low_m + half_band_m,
-          tolerance_m, &courses, start_s};
+  return {map,
+          surface,
+          task.params,
+          task.limits,
+          low_m + half_band_m,
+          tolerance_m,
+          &courses,
+          start_s,
+          framing.turns ? &framing.bearing : nullptr};
 }
 
 // Where the way begins: at the trajectory's start, or where the stop before it has come to rest.
@@ -69,7 +77,7 @@ PlanReason follow_target(PlanningState& s, const PlanTask& task,
   align(s.belief, from.time_s, task.params.horizon, s.expected);
   const Vec3& z_1 = s.expected.paths[0].positions_enu_m.front();
   FlightSurface surface = choose_flight_surface(map, from.state.position, z_1, task.params);
-  const SearchContext context = search_context(task, surface, s.courses, from.time_s);
+  const SearchContext context = search_context(task, surface, s.courses, from.time_s, s.framing);
 
   // §V.A: places that see the target, and the visible regions around it.
   look_ahead(context, from.state.position, from.state.velocity, s.expected, task.input.intention,

@@ -37,14 +37,20 @@ bool is_too_fast(const PlanningState& state, const PlanStart& start, const Plann
   return start.state.velocity.norm() > search_speed_m_s(state.search, params) + kSlower_m_s;
 }
 
-// The search is over: the vehicle stands, and looks where they most likely are.
-const PlanResult& wait(PlanningState& state, const PlanTask& task, StageClock& clock) {
-  const bool stands = task.start.state.velocity.norm() < kWaits_m_s;
-  if (!stands || wait_for_target(state, task, clock) != PlanReason::kOk)
-    return fall_back(state, task, PlanReason::kTargetLost, clock);
+// Stops if it must, stands, and looks where the target is or most likely is.
+const PlanResult& stand_by(PlanningState& state, const PlanTask& task, StageClock& clock) {
+  const PlanReason reason = wait_for_target(state, task, clock);
+  if (reason != PlanReason::kOk) return fall_back(state, task, reason, clock);
   publish(state, task, 0.0, clock);
   state.flown_result().trajectory.status = PlanStatus::kHold;
   return state.flown_result();
+}
+
+// The search is over.
+const PlanResult& wait(PlanningState& state, const PlanTask& task, StageClock& clock) {
+  const bool stands = task.start.state.velocity.norm() < kWaits_m_s;
+  return stands ? stand_by(state, task, clock)
+                : fall_back(state, task, PlanReason::kTargetLost, clock);
 }
 
 void learn_deviation(PlanningState& state, const PlanInput& input) {
@@ -56,22 +62,25 @@ void learn_deviation(PlanningState& state, const PlanInput& input) {
 
 }  // namespace
 
-const PlanResult& plan(PlanningState& state, const PlanInput& given, const PlanningParams& params) {
+const PlanResult& plan(PlanningState& state, const PlanInput& given,
+                       const PlanningParams& given_params) {
   if (!state.reserved) reserve(state);
   StageClock clock(state.clock_s);
   state.next_result().diagnostics = {};
-  const PlanInput input = without_stale(given, params.horizon);
+  const PlanInput input = without_stale(given, given_params.horizon);
   const bool knows_where_it_is =
-      input.now_s - input.vehicle.stamp_s <= params.horizon.vehicle_stale_s;
+      input.now_s - input.vehicle.stamp_s <= given_params.horizon.vehicle_stale_s;
   if (!is_finite(input) || input.map == nullptr || !knows_where_it_is) return refuse(state);
 
   learn_deviation(state, input);
+  const PlanningParams& params = frame_target(state.framing, input, given_params);
 
   // Where the trajectory begins, whom it follows, who else moves, how fast it
   // may be.
   const PlanStart start = choose_start(state.flown_result().trajectory, input, params);
   const PlanReason expected = expect_target(state, input, params.horizon);
-  const bool lost = state.lost(), searches = lost && expected == PlanReason::kOk;
+  const bool lost = state.lost(), waits = input.waits && expected == PlanReason::kOk;
+  const bool searches = lost && !waits && expected == PlanReason::kOk;
   if (lost) search_on(state, input, start, searches, params);
   expect_bodies(input, expected == PlanReason::kOk && !lost ? &state.belief : nullptr, params.body,
                 state.courses);
@@ -81,6 +90,7 @@ const PlanResult& plan(PlanningState& state, const PlanInput& given, const Plann
       input, params,
       searches && !slows_down ? limits_of_search(state, start, params) : params.limits, start,
       lost};
+  if (waits) return stand_by(state, task, clock);
   if (expected == PlanReason::kTargetLost) return wait(state, task, clock);
   if (expected != PlanReason::kOk) return fall_back(state, task, expected, clock);
   if (slows_down) {

@@ -2,6 +2,7 @@
 // What one replan is given.
 #pragma once
 
+#include "core/common/framing.hpp"
 #include "core/common/grid_map.hpp"
 #include "core/common/moving_body.hpp"
 #include "core/common/prediction.hpp"
@@ -21,6 +22,8 @@ struct PlanInput {
   const GridMap* map = nullptr;                    // null: nothing can be planned
   const MovingBodies* bodies = nullptr;            // everybody who moves; null: nobody is known
   bool flies_plans = true;  // false: the vehicle does something else, and a plan begins there
+  Framing framing = {};     // as an operator ordered
+  bool waits = false;       // nobody is to be followed now: the vehicle stands, and looks on
 };
 
 /// The same without what has come too long ago: a stale target is lost; stale predictions,

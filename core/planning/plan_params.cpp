@@ -94,6 +94,19 @@ ParamRows rows(ViewParams& p) {
   };
 }
 
+ParamRows rows(FramingParams& p) {
+  return {
+      {"framing_change_m_s", &p.framing_change_m_s, "m/s", 0.01, 2.0,
+       "a distance or height that is ordered is come to so fast"},
+      {"framing_around_m_s", &p.framing_around_m_s, "m/s", 0.01, 3.0,
+       "the vehicle goes round the person so fast to where it is ordered, at most"},
+      {"framing_half_angle_rad", &p.framing_half_angle_rad, "rad", 0.05, 1.5,
+       "a bearing that is ordered is kept to within this"},
+      {"framing_elevation_max_rad", &p.framing_elevation_max_rad, "rad", 0.0, 1.3,
+       "from no steeper the person is looked at"},
+  };
+}
+
 void append(ParamRows& all, const ParamRows& part) {
   all.insert(all.end(), part.begin(), part.end());
 }
@@ -109,6 +122,7 @@ ParamRows rows(PlanningParams& p) {
   append(all, rows(p.check));
   append(all, rows(p.body));
   append(all, rows(p.search));
+  append(all, rows(p.framing));
   return all;
 }
 

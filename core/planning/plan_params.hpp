@@ -82,6 +82,15 @@ struct ViewParams {
   double gimbal_acceleration_max_rad_s2 = 10.0;  ///< greatest pitch acceleration of the gimbal
 };
 
+/// How an operator's framing is taken on.
+struct FramingParams {
+  double framing_change_m_s = 0.4;  ///< a distance or height that is ordered is come to so fast
+  /// the vehicle goes round the person so fast to where it is ordered, at most
+  double framing_around_m_s = 0.8;
+  double framing_half_angle_rad = 0.25;    ///< a bearing that is ordered is kept to within this
+  double framing_elevation_max_rad = 0.5;  ///< from no steeper the person is looked at
+};
+
 /// All parameters of planning, by what they decide.
 struct PlanningParams {
   HorizonParams horizon;
@@ -92,6 +101,7 @@ struct PlanningParams {
   CheckParams check;
   GapParams body;
   SearchParams search;
+  FramingParams framing;
 
   double distance_wanted_m() const { return 0.5 * (place.kept_low_m() + place.kept_high_m()); }
   double path_clearance_m() const { return check.vehicle_radius_m + place.search_clearance_m; }

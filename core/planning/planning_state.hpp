@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/common/deviation_bound.hpp"
+#include "core/planning/frame_target.hpp"
 #include "core/planning/motion/aim_camera.hpp"
 #include "core/planning/motion/check_trajectory.hpp"
 #include "core/planning/search/lost_person.hpp"
@@ -45,6 +46,7 @@ struct PlanningState {
   PlanResult& flown_result() { return results[flown]; }
   PlanResult& next_result() { return results[1 - flown]; }
 
+  FramingState framing;      // from where the target is seen
   DeviationBound deviation;  // of the vehicle from what is flown
 
   // What is remembered of the target.

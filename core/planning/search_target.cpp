@@ -87,7 +87,10 @@ PlanReason search_target(PlanningState& s, const PlanTask& task, StageClock& clo
 PlanReason wait_for_target(PlanningState& s, const PlanTask& task, StageClock& clock) {
   const Vec2 from = task.start.state.position.head<2>();
   const Vec2 likeliest = s.search.likeliest_m - from;
-  look_at(s, task, from + kGazeFar_m * direction_of(yaw_of(likeliest)));
+  if (task.lost)
+    look_at(s, task, from + kGazeFar_m * direction_of(yaw_of(likeliest)));
+  else
+    align(s.belief, task.start.time_s, task.params.horizon, s.expected);
   PlannedTrajectory& trajectory = s.next_result().trajectory;
   trajectory.pieces.assign(1, make_stop_tail(task.start.state, task.limits, kWait_s).piece);
   trajectory.tail_start_s = 0.0;

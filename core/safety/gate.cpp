@@ -109,7 +109,7 @@ void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResul
     answer_order(s.order);
   else
     take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
-               in.autopilot, p.mission_rules());
+               in.autopilot, p.mission_rules(), surroundings_of(s, in, p).bodies);
   if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
     const bool ready = s.mode == SafetyMode::kTrack && in.now_s - s.last_fresh_s <= p.plan_fresh_s;
     r.request =
@@ -264,6 +264,8 @@ void fill_report(const GateState& s, const GateInput& in, GateResult& r) {
   r.plan_age_s = s.last_plan_s < 0.0 ? -1.0 : in.now_s - s.last_plan_s;
   r.plan_id = s.has_flown ? s.flown.id : 0;
   r.refusal = s.refusal;
+  r.person = s.mission.person;
+  r.framing = s.mission.framing;
 }
 
 }  // namespace

@@ -96,6 +96,8 @@ struct GateResult {
   std::uint64_t plan_id = 0;             // that is flown
   PlanFault refusal = PlanFault::kNone;  // of the last plan that came
   LimitVerdict limit;
+  PersonChoice person;  // as ordered, as is the framing
+  Framing framing;
 };
 
 /// The setpoint is of a plan: the vehicle is not held, and nobody else flies it.

@@ -19,7 +19,8 @@ MissionPhase phase_after_restart(MissionPhase before) {
 
 bool is_same(const GateMemory& memory, const Mission& mission) {
   return memory.phase == mission.phase && memory.lease_id == mission.lease.id &&
-         memory.lease_operator == mission.lease.operator_name && memory.bounds == mission.bounds;
+         memory.lease_operator == mission.lease.operator_name && memory.bounds == mission.bounds &&
+         memory.person == mission.person && memory.framing == mission.framing;
 }
 
 bool is_sound(const GateMemory& memory) {
@@ -38,6 +39,8 @@ bool remember(GateMemory& memory, const Mission& mission) {
   memory.lease_operator = mission.lease.operator_name;
   memory.last_order = mission.last_order;
   memory.bounds = mission.bounds;
+  memory.person = mission.person;
+  memory.framing = mission.framing;
   return true;
 }
 
@@ -50,6 +53,8 @@ Mission mission_of(const GateMemory& memory, double now_s, const MissionRules& r
     mission.lease = {memory.lease_id, memory.lease_operator, now_s + rules.lease_s};
   mission.last_order = memory.last_order;
   mission.bounds = memory.bounds;
+  mission.person = memory.person;
+  if (is_safe(memory.framing, rules.framing)) mission.framing = memory.framing;
   return mission;
 }
 

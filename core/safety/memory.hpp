@@ -10,7 +10,7 @@ namespace foretrack {
 
 /// Copied to a file byte by byte; only a file of this version is read.
 struct GateMemory {
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
 
   std::uint32_t version = kVersion;
   std::uint64_t revision = 0;  // grows with every change
@@ -19,6 +19,8 @@ struct GateMemory {
   ShortText lease_operator;
   OrderMark last_order;
   FlightBounds bounds;
+  PersonChoice person;
+  Framing framing;
 };
 static_assert(std::is_trivially_copyable_v<GateMemory>);
 
@@ -29,7 +31,8 @@ bool remember(GateMemory& memory, const Mission& mission);
 /// The mission after a restart. Nothing is resumed: stopped and holding stay so, what was flown
 /// holds (until the flight controller says that it is not under offboard mode: see Gate), what the
 /// flight controller was left to do is idle. The holder of the lease has a full term to renew it.
-/// A memory of another version, or damaged, is as none.
+/// A memory of another version, or damaged, is as none; so is a framing that is not allowed any
+/// more.
 Mission mission_of(const GateMemory& memory, double now_s, const MissionRules& rules);
 
 }  // namespace foretrack

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/safety/mission.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace foretrack {
 namespace {
 
@@ -36,7 +39,7 @@ MissionPhase phase_after(MissionOrder order, const Mission& mission) {
       return MissionPhase::kStopped;
     case MissionOrder::kTakeOff:
       return MissionPhase::kTakingOff;
-    default:  // about the lease, or the bounds
+    default:  // about the lease, or a setting
       return mission.phase;
   }
 }
@@ -56,8 +59,8 @@ MissionResult judge_sender(const MissionCommand& command, const Mission& mission
   if (held && command.lease_id != mission.lease.id) return MissionResult::kRefusedForeign;
   if (command.order == MissionOrder::kLease && command.lease_id.empty())
     return MissionResult::kRefusedUnproved;  // it would be anybody's
-  if (command.order == MissionOrder::kSetBounds && !held)
-    return MissionResult::kRefusedUnproved;  // they outlive who set them
+  if (is_setting(command.order) && !held)
+    return MissionResult::kRefusedUnproved;  // it outlives who made it
   const bool needs_proof = held || command.order == MissionOrder::kLease;
   return needs_proof && !command.proved ? MissionResult::kRefusedUnproved
                                         : MissionResult::kAccepted;
@@ -73,6 +76,29 @@ MissionResult judge(const MissionCommand& command, const Mission& mission, const
   return judge_sender(command, mission, moment);
 }
 
+bool is_there(const MovingBodies* bodies, std::uint32_t id) {
+  return bodies && std::ranges::any_of(bodies->all(), [&](const MovingBody& body) {
+           return body.id == id && body.kind == BodyKind::kPerson;
+         });
+}
+
+MissionResult judge_setting(const MissionCommand& command, const MissionRules& rules,
+                            const MovingBodies* bodies) {
+  switch (command.order) {
+    case MissionOrder::kSetBounds:
+      return are_valid(command.bounds) ? MissionResult::kAccepted : MissionResult::kRefusedBounds;
+    case MissionOrder::kFollow:
+      return command.person_id == 0 || is_there(bodies, command.person_id)
+                 ? MissionResult::kAccepted
+                 : MissionResult::kRefusedPerson;
+    case MissionOrder::kSetFraming:
+      return is_safe(command.framing, rules.framing) ? MissionResult::kAccepted
+                                                     : MissionResult::kRefusedFraming;
+    default:
+      return MissionResult::kAccepted;
+  }
+}
+
 void execute(const MissionCommand& command, Mission& mission, const Moment& moment,
              const MissionRules& rules) {
   mission.phase = phase_after(command.order, mission);
@@ -80,6 +106,8 @@ void execute(const MissionCommand& command, Mission& mission, const Moment& mome
     mission.lease = {command.lease_id, command.operator_name, moment.now_s + rules.lease_s};
   if (command.order == MissionOrder::kRelease) mission.lease = {};
   if (command.order == MissionOrder::kSetBounds) mission.bounds = command.bounds;
+  if (command.order == MissionOrder::kFollow) mission.person = {true, command.person_id};
+  if (command.order == MissionOrder::kSetFraming) mission.framing = command.framing;
 }
 
 // Nobody judges the stamps of stop and land: what was given before they came is over.
@@ -91,7 +119,7 @@ OrderMark mark_of(const MissionCommand& command, const Moment& moment) {
 }  // namespace
 
 MissionResult apply(const MissionCommand& command, Mission& mission, const Moment& moment,
-                    const MissionRules& rules) {
+                    const MissionRules& rules, const MovingBodies* bodies) {
   // Our clock was set back: what it said before tells nothing.
   if (mission.last_order.stamp_s > moment.stamp_now_s + rules.future_s) mission.last_order = {};
   const MissionResult result = judge(command, mission, moment, rules);
@@ -100,8 +128,9 @@ MissionResult apply(const MissionCommand& command, Mission& mission, const Momen
   if (const OrderMark mark = mark_of(command, moment); mark > mission.last_order)
     mission.last_order = mark;
   if (!is_allowed(command.order, mission.phase)) return MissionResult::kRefusedPhase;
-  if (command.order == MissionOrder::kSetBounds && !are_valid(command.bounds))
-    return MissionResult::kRefusedBounds;
+  if (const auto setting = judge_setting(command, rules, bodies);
+      setting != MissionResult::kAccepted)
+    return setting;
   execute(command, mission, moment, rules);
   return MissionResult::kAccepted;
 }
@@ -112,10 +141,9 @@ bool needs_memory(MissionOrder order) {
     case MissionOrder::kResume:
     case MissionOrder::kTakeOff:
     case MissionOrder::kLease:
-    case MissionOrder::kSetBounds:
       return true;
     default:
-      return false;
+      return is_setting(order);
   }
 }
 
@@ -125,9 +153,9 @@ bool is_active(MissionPhase phase) {
 }
 
 std::string_view to_string(MissionOrder order) {
-  constexpr std::array<std::string_view, 10> names = {"start",    "hold",      "resume", "return",
-                                                      "land",     "stop",      "lease",  "release",
-                                                      "take_off", "set_bounds"};
+  constexpr std::array<std::string_view, 12> names = {
+      "start", "hold",    "resume",   "return",     "land",   "stop",
+      "lease", "release", "take_off", "set_bounds", "follow", "set_framing"};
   return names[static_cast<std::size_t>(order)];
 }
 std::string_view to_string(MissionPhase phase) {
@@ -136,7 +164,7 @@ std::string_view to_string(MissionPhase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 std::string_view to_string(MissionResult result) {
-  constexpr std::array<std::string_view, 12> names = {
+  constexpr std::array<std::string_view, 14> names = {
       "none",
       "accepted",
       "refused: too late",
@@ -148,7 +176,9 @@ std::string_view to_string(MissionResult result) {
       "refused: it cannot be written, and would be forgotten in a restart",
       "refused: these are no bounds",
       "acts, and is being written",
-      "accepted, but a restart would forget it"};
+      "accepted, but a restart would forget it",
+      "refused: nobody of that number is there",
+      "refused: this framing is out of its safe ranges"};
   return names[static_cast<std::size_t>(result)];
 }
 

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/common/moving_body.hpp"
 #include "core/safety/flight_bounds.hpp"
+#include "core/safety/framing_limits.hpp"
 #include "core/safety/short_text.hpp"
 
 namespace foretrack {
@@ -22,6 +24,8 @@ enum class MissionOrder : std::uint8_t {
   kRelease,  // give it back
   kTakeOff,  // by the flight controller, which then holds
   kSetBounds,
+  kFollow,      // a person, or nobody
+  kSetFraming,  // from where they are to be seen
 };
 
 /// An order, with who gave it and when.
@@ -33,6 +37,15 @@ struct MissionCommand {
   ShortText lease_id = {};       // the lease under which it is given
   bool proved = false;           // the caller saw the proof that it comes from that lease's holder
   FlightBounds bounds = {};      // of kSetBounds
+  std::uint32_t person_id = 0;   // of kFollow: a number of bodies; 0: nobody
+  Framing framing = {};          // of kSetFraming
+};
+
+/// Whom an operator said to follow.
+struct PersonChoice {
+  bool made = false;            // else perception chooses
+  std::uint32_t person_id = 0;  // a number of bodies; 0: nobody
+  bool operator==(const PersonChoice&) const = default;
 };
 
 /// Who may give orders. It runs out unless its holder renews it, so that a vehicle whose operator
@@ -71,6 +84,8 @@ enum class MissionResult : std::uint8_t {
   kRefusedBounds,      // they are no bounds
   kPending,            // acts already, and is being written
   kAcceptedUnwritten,  // acts, and would not outlive a restart
+  kRefusedPerson,      // nobody of that number is there
+  kRefusedFraming,     // not safe
 };
 
 /// For logs and displays.
@@ -80,11 +95,12 @@ std::string_view to_string(MissionPhase phase);
 /// For logs and displays.
 std::string_view to_string(MissionResult result);
 
-/// How long orders and leases count.
+/// How long orders and leases count, and what may be ordered.
 struct MissionRules {
   double max_age_s = 1.0;  // older commands are refused
   double future_s = 0.5;   // so are those stamped farther ahead
   double lease_s = 5.0;    // a lease lasts that long unless it is renewed
+  FramingLimits framing = {};
 };
 
 /// The same moment on both clocks: ours, which never jumps, and that of stamps.
@@ -110,20 +126,28 @@ struct Mission {
   MissionLease lease = {};
   OrderMark last_order = {};
   FlightBounds bounds = {};
+  PersonChoice person = {};
+  Framing framing = {};
 };
 
 /// Applies the command and says whether it was taken.
 /// Stop is taken from anybody, always. Land is never refused for its id, age or phase, and return
 /// only while landing: both from the lease's holder, or from anybody while nobody holds one. The
-/// rest must also be newer than what came before, and fit the phase; bounds are set under a lease
-/// alone.
+/// rest must also be newer than what came before, and fit the phase; settings are made under a
+/// lease alone. `bodies`: who is there to be followed; null: nobody.
 MissionResult apply(const MissionCommand& command, Mission& mission, const Moment& moment,
-                    const MissionRules& rules);
+                    const MissionRules& rules, const MovingBodies* bodies = nullptr);
 
 /// It acts; whether it would outlive a restart is another question.
 constexpr bool is_accepted(MissionResult result) {
   return result == MissionResult::kAccepted || result == MissionResult::kPending ||
          result == MissionResult::kAcceptedUnwritten;
+}
+
+/// Bounds, whom to follow, and framing: they outlive who ordered them, and change no phase.
+constexpr bool is_setting(MissionOrder order) {
+  return order == MissionOrder::kSetBounds || order == MissionOrder::kFollow ||
+         order == MissionOrder::kSetFraming;
 }
 
 /// Must outlive a restart, so that it is refused when it cannot be written.

@@ -71,6 +71,14 @@ struct SafetyParams {
   double command_future_s = MissionRules{}.future_s;
   /// an operator's lease ends that long after it was last renewed
   double lease_s = MissionRules{}.lease_s;
+  /// an operator may order no smaller distance to the person
+  double framing_distance_min_m = FramingLimits{}.distance_min_m;
+  double framing_distance_max_m = FramingLimits{}.distance_max_m;  ///< and no greater one
+  /// an operator may order no lower flight, above the middle of the person's torso
+  double framing_height_min_m = FramingLimits{}.height_min_m;
+  double framing_height_max_m = FramingLimits{}.height_max_m;  ///< and no higher one
+  /// an operator may let the vehicle circle no faster
+  double framing_circling_max_rad_s = FramingLimits{}.circling_max_rad_s;
   // the flight controller
   /// a request that the flight controller does not answer for so long is given up
   double answer_s = AskParams{}.answer_s;
@@ -80,7 +88,13 @@ struct SafetyParams {
   /// an order to start ends that long after it, unless target, map and plan have come
   double start_patience_s = CarryOutParams{}.patience_s;
 
-  MissionRules mission_rules() const { return {command_max_age_s, command_future_s, lease_s}; }
+  MissionRules mission_rules() const {
+    return {command_max_age_s,
+            command_future_s,
+            lease_s,
+            {framing_distance_min_m, framing_distance_max_m, framing_height_min_m,
+             framing_height_max_m, framing_circling_max_rad_s}};
+  }
   CarryOutParams carry_out() const {
     return {{answer_s, done_s}, heartbeat_before_s, start_patience_s};
   }

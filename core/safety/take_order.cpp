@@ -10,15 +10,23 @@ namespace {
 void note_what_to_undo(const OrderState& state, UnwrittenOrders& waits) {
   switch (state.last.order) {
     case MissionOrder::kLease:
-      if (!waits.lease) waits.lease_before = state.lease_before;
+      if (!waits.lease) waits.before.lease = state.before.lease;
       waits.lease = true;
       return;
     case MissionOrder::kRelease:
       waits.lease = false;
       return;
     case MissionOrder::kSetBounds:
-      if (!waits.bounds) waits.bounds_before = state.bounds_before;
+      if (!waits.bounds) waits.before.bounds = state.before.bounds;
       waits.bounds = true;
+      return;
+    case MissionOrder::kFollow:
+      if (!waits.person) waits.before.person = state.before.person;
+      waits.person = true;
+      return;
+    case MissionOrder::kSetFraming:
+      if (!waits.framing) waits.before.framing = state.before.framing;
+      waits.framing = true;
       return;
     default:
       waits.phase = needs_memory(state.last.order);
@@ -26,8 +34,10 @@ void note_what_to_undo(const OrderState& state, UnwrittenOrders& waits) {
 }
 
 void undo(const UnwrittenOrders& waits, Mission& mission, CarryOut& carrying) {
-  if (waits.lease) mission.lease = waits.lease_before;
-  if (waits.bounds) mission.bounds = waits.bounds_before;
+  if (waits.lease) mission.lease = waits.before.lease;
+  if (waits.bounds) mission.bounds = waits.before.bounds;
+  if (waits.person) mission.person = waits.before.person;
+  if (waits.framing) mission.framing = waits.before.framing;
   if (waits.phase && is_active(mission.phase))
     hold_mission(carrying, mission, MissionEnd::kUnwritten);
 }
@@ -38,6 +48,10 @@ bool is_undone(const UnwrittenOrders& waits, MissionOrder order) {
       return waits.lease;
     case MissionOrder::kSetBounds:
       return waits.bounds;
+    case MissionOrder::kFollow:
+      return waits.person;
+    case MissionOrder::kSetFraming:
+      return waits.framing;
     default:
       return waits.phase && needs_memory(order);
   }
@@ -53,14 +67,12 @@ void drop_oldest(UnwrittenOrders& waits) {
 
 void take_order(OrderState& state, Mission& mission, CarryOut& carrying,
                 const MissionCommand& command, const Moment& moment, const AutopilotStatus& status,
-                const MissionRules& rules) {
-  state.lease_before = mission.lease;
-  state.bounds_before = mission.bounds;
+                const MissionRules& rules, const MovingBodies* bodies) {
+  state.before = mission;
   state.last = command;
-  state.result = apply(command, mission, moment, rules);
+  state.result = apply(command, mission, moment, rules, bodies);
   const bool about_phase = command.order != MissionOrder::kLease &&
-                           command.order != MissionOrder::kRelease &&
-                           command.order != MissionOrder::kSetBounds;
+                           command.order != MissionOrder::kRelease && !is_setting(command.order);
   if (state.result == MissionResult::kAccepted && about_phase)
     begin_phase(carrying, moment.now_s, status);
 }
@@ -69,7 +81,7 @@ void await_writing(OrderState& state, const GateMemory& memory, bool is_news) {
   UnwrittenOrders& waits = state.unwritten;
   const bool others_wait = waits.any_is_being_written();
   if (state.result != MissionResult::kAccepted || !(is_news || others_wait)) return;
-  if (!others_wait) waits.phase = waits.lease = waits.bounds = false;
+  if (!others_wait) waits.phase = waits.lease = waits.bounds = waits.person = waits.framing = false;
   if (is_news) note_what_to_undo(state, waits);
   if (waits.count == UnwrittenOrders::kCapacity) drop_oldest(waits);
   waits.orders[waits.count++] = {state.last, MissionResult::kPending};

@@ -30,9 +30,8 @@ struct UnwrittenOrders {
   int count = 0, decided = 0;
   std::uint64_t revision = 0;  // of the memory with all of them
   // What must be undone if they cannot be written, and to what.
-  bool phase = false, lease = false, bounds = false;
-  MissionLease lease_before;
-  FlightBounds bounds_before;
+  bool phase = false, lease = false, bounds = false, person = false, framing = false;
+  Mission before;
 
   bool any_is_being_written() const { return decided < count; }
 };
@@ -41,15 +40,14 @@ struct UnwrittenOrders {
 struct OrderState {
   MissionCommand last;
   MissionResult result = MissionResult::kNone;
-  MissionLease lease_before;  // the last order that came
-  FlightBounds bounds_before;
+  Mission before;  // the last order that came
   UnwrittenOrders unwritten;
 };
 
-/// Judges and applies the command.
+/// Judges and applies the command. `bodies`: as in apply().
 void take_order(OrderState& state, Mission& mission, CarryOut& carrying,
                 const MissionCommand& command, const Moment& moment, const AutopilotStatus& status,
-                const MissionRules& rules);
+                const MissionRules& rules, const MovingBodies* bodies = nullptr);
 
 /// After the memory was updated with the order: it waits to be written, if it is news, or if what
 /// it repeats waits.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/common/framing.hpp"
 #include "core/simulator/autopilot.hpp"
 #include "core/simulator/bystander.hpp"
 #include "core/simulator/depth_camera.hpp"
@@ -36,6 +37,13 @@ constexpr std::string_view to_string(MapSource map) {
   return kMapSourceNames[static_cast<std::size_t>(map)];
 }
 
+/// What an operator orders in flight: one of the two.
+struct OperatorOrder {
+  double at_s = 0.0;
+  std::optional<std::uint32_t> follow;  // a number of bodies; 0: nobody
+  Framing framing;                      // unless somebody is to be followed
+};
+
 /// All that decides a simulated flight.
 struct Scenario {
   std::string name = "unnamed";
@@ -55,6 +63,7 @@ struct Scenario {
   bool color_images = false;      // of the landmark camera, rendered, instead of its landmarks
   std::string person = "boy";     // who is rendered; services/offline/people has the names
   std::vector<BystanderSpec> bystanders;  // not on the known map
+  std::vector<OperatorOrder> orders;      // in the order of their times; in lock-step flights
   std::optional<Encounter> encounter;     // what was staged, if something was
   std::optional<HidingKind> hiding;       // the same
   MapSource map = MapSource::kKnown;

@@ -56,7 +56,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .prediction = &out.prediction->prediction,
                       .map = out.map,
                       .bodies = out.bodies,
-                      .flies_plans = state.gate.flies_plans},
+                      .flies_plans = state.gate.flies_plans,
+                      .framing = state.gate.mission.framing},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;

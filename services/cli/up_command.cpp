@@ -49,7 +49,8 @@ int run_up(UpArguments arguments) {
   std::printf("vehicle %s, domain %d, logs in %s/logs; Ctrl-C ends it\n",
               arguments.spec.vehicle.c_str(), arguments.spec.domain, arguments.out.c_str());
   Node node(node_options(arguments.spec));
-  OrderSender start(node, MissionOrder::kStart, "up");  // what is simulated starts by itself
+  // What is simulated starts by itself.
+  OrderSender start(node, {.order = MissionOrder::kStart, .operator_name = "up"});
   start.insist();
   const double begin_s = steady_s();
   while (!stop.requested() && steady_s() - begin_s < arguments.for_s && !launcher.any_given_up()) {

@@ -47,11 +47,15 @@ std::string bits_of(double value) {
 std::string signed_text(std::string_view vehicle, const Order& order) {
   const std::string_view name = order.operator_id().c_str();
   const auto& stamp = order.header().stamp();
-  std::string text = fmt::format("foretrack order 1\n{}:{}\n{} {}\n{} {}\n{}:{}\n{}\n",
+  std::string text = fmt::format("foretrack order 2\n{}:{}\n{} {}\n{} {}\n{}:{}\n{}\n",
                                  vehicle.size(), vehicle, stamp.sec(), stamp.nanosec(), order.id(),
                                  order.command(), name.size(), name, order.lease_id().c_str());
   for (const double value : order.fence_m()) text += bits_of(value);
-  return text + '\n' + bits_of(order.altitude_min_m()) + bits_of(order.altitude_max_m());
+  const auto& framing = order.framing();
+  return text + '\n' + bits_of(order.altitude_min_m()) + bits_of(order.altitude_max_m()) +
+         fmt::format("\n{}\n", order.person_id()) + bits_of(framing.distance_m()) +
+         bits_of(framing.height_m()) + bits_of(framing.bearing_rad()) +
+         bits_of(framing.circling_radps());
 }
 
 const unsigned char* bytes_of(const std::string& text) {

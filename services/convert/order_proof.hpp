@@ -4,14 +4,16 @@
 // which never leaves its holder. The signature is over all of the order and the vehicle's name, so
 // that no part of it can be changed and none be played to another vehicle. What is signed, as text:
 //
-//   foretrack order 1
+//   foretrack order 2
 //   LENGTH:VEHICLE
 //   SEC NANOSEC            of the stamp
 //   ID COMMAND
 //   LENGTH:OPERATOR
 //   LEASE
 //    X Y X Y …             of the fence; each number as the 16 hexadecimal digits of its bits, each
-//    MIN MAX               after a space; so are the altitudes, and no end of line is after them
+//    MIN MAX               after a space; so are the altitudes
+//   PERSON
+//    DISTANCE HEIGHT BEARING CIRCLING   of the framing, as bits too, and no end of line after them
 #pragma once
 
 #include <array>

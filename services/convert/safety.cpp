@@ -24,6 +24,8 @@ static_assert(o::COMMAND_LEASE == int(MissionOrder::kLease));
 static_assert(o::COMMAND_RELEASE == int(MissionOrder::kRelease));
 static_assert(o::COMMAND_TAKE_OFF == int(MissionOrder::kTakeOff));
 static_assert(o::COMMAND_SET_BOUNDS == int(MissionOrder::kSetBounds));
+static_assert(o::COMMAND_FOLLOW == int(MissionOrder::kFollow));
+static_assert(o::COMMAND_SET_FRAMING == int(MissionOrder::kSetFraming));
 static_assert(s::MODE_TRACK == int(SafetyMode::kTrack));
 static_assert(s::MODE_COAST == int(SafetyMode::kCoast));
 static_assert(s::MODE_HOVER == int(SafetyMode::kHover));
@@ -76,6 +78,8 @@ static_assert(s::RESULT_REFUSED_UNWRITTEN == int(MissionResult::kRefusedUnwritte
 static_assert(s::RESULT_REFUSED_BOUNDS == int(MissionResult::kRefusedBounds));
 static_assert(s::RESULT_PENDING == int(MissionResult::kPending));
 static_assert(s::RESULT_ACCEPTED_UNWRITTEN == int(MissionResult::kAcceptedUnwritten));
+static_assert(s::RESULT_REFUSED_PERSON == int(MissionResult::kRefusedPerson));
+static_assert(s::RESULT_REFUSED_FRAMING == int(MissionResult::kRefusedFraming));
 static_assert(s::ANSWER_CANCELLED == int(CommandResult::kCancelled));
 static_assert(s::END_PILOT == int(MissionEnd::kPilot));
 static_assert(s::END_STICKS == int(MissionEnd::kSticks));
@@ -118,6 +122,13 @@ FlightBounds read_bounds(Checks& checks, const msg::MissionCommand& in) {
   return out;
 }
 
+void write_framing(const Framing& in, msg::TargetFraming& out) {
+  out.distance_m(in.distance_m);
+  out.height_m(in.height_m);
+  out.bearing_rad(in.bearing_rad);
+  out.circling_radps(in.circling_rad_s);
+}
+
 // "brake: no fresh plan (idle: the pilot took over); arm: denied"
 std::string text_of(const GateReport& in) {
   const GateResult& r = in.result;
@@ -155,6 +166,15 @@ void within_or_nan(Checks& checks, std::string_view field, const std::array<doub
   for (const double v : values) within_or_nan(checks, field, v, limit);
 }
 
+// How far the vehicle may go is the gate's to judge.
+Framing read_framing(Checks& checks, const msg::TargetFraming& in) {
+  within_or_nan(checks, "framing.distance_m", in.distance_m(), limits::kPosition_m);
+  within_or_nan(checks, "framing.height_m", in.height_m(), limits::kPosition_m);
+  within_or_nan(checks, "framing.bearing_rad", in.bearing_rad(), limits::kAngle_rad);
+  checks.within("framing.circling_radps", in.circling_radps(), limits::kRate_rad_s);
+  return {in.distance_m(), in.height_m(), in.bearing_rad(), in.circling_radps()};
+}
+
 Setpoint read_setpoint(Checks& checks, const msg::SafetyState& in) {
   within_or_nan(checks, "position_m", in.position_m(), limits::kPosition_m);
   within_or_nan(checks, "velocity_mps", in.velocity_mps(), limits::kSpeed_m_s);
@@ -182,12 +202,14 @@ void to_idl(const MissionCommand& in, msg::MissionCommand& out) {
   out.lease_id(std::string(in.lease_id.view()));
   out.proof({});
   set_bounds(in.bounds, out);
+  out.person_id(in.person_id);
+  write_framing(in.framing, out.framing());
 }
 
 Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   Checks checks;
   checks.stamp("header.stamp", in.header().stamp());
-  checks.enumerator("command", in.command(), o::COMMAND_SET_BOUNDS);
+  checks.enumerator("command", in.command(), o::COMMAND_SET_FRAMING);
   if (in.id() == 0) checks.fail("id", "0", "1 or more");
   MissionCommand out;
   out.id = in.id();
@@ -196,6 +218,8 @@ Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   out.operator_name = in.operator_id().c_str();
   out.lease_id = in.lease_id().c_str();
   if (out.order == MissionOrder::kSetBounds) out.bounds = read_bounds(checks, in);
+  if (out.order == MissionOrder::kFollow) out.person_id = in.person_id();
+  if (out.order == MissionOrder::kSetFraming) out.framing = read_framing(checks, in.framing());
   return checks.result(out);
 }
 
@@ -229,6 +253,9 @@ void to_idl(const GateReport& in, msg::SafetyState& out) {
   out.answer(static_cast<std::uint8_t>(r.answer));
   out.dry_run(in.dry_run);
   out.alarm(in.alarm.substr(0, kAlarmBytes));
+  out.chosen(r.person.made);
+  out.person_id(r.person.person_id);
+  write_framing(r.framing, out.framing());
 }
 
 Converted<GateReport> from_idl(const msg::SafetyState& in) {
@@ -240,8 +267,8 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   checks.enumerator("reason", in.reason(), s::REASON_IMAGES);
   checks.enumerator("phase", in.phase(), s::PHASE_TAKING_OFF);
   checks.enumerator("request", in.request(), s::REQUEST_HOLD);
-  checks.enumerator("command_result", in.command_result(), s::RESULT_ACCEPTED_UNWRITTEN);
-  checks.enumerator("command", in.command(), o::COMMAND_SET_BOUNDS);
+  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_FRAMING);
+  checks.enumerator("command", in.command(), o::COMMAND_SET_FRAMING);
   checks.enumerator("mission_end", in.mission_end(), s::END_LINK);
   checks.enumerator("asked", in.asked(), s::REQUEST_HOLD);
   checks.enumerator("answer", in.answer(), s::ANSWER_CANCELLED);
@@ -251,6 +278,8 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   checks.within("odometry_age_s", in.odometry_age_s(), 1e10);
   GateResult& r = out.result;
   if (in.setpoint_valid()) r.setpoint = read_setpoint(checks, in);
+  r.person = {in.chosen(), in.person_id()};
+  r.framing = read_framing(checks, in.framing());
   out.stamp_s = seconds(in.header().stamp());
   out.caused_by_s = seconds(in.caused_by());
   out.odometry_age_s = in.odometry_age_s();

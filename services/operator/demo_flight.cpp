@@ -47,7 +47,7 @@ class DemoFlight {
         node_(node_options(options.spec)),
         loop_(node_, stop),
         listener_(node_, true),
-        start_(node_, MissionOrder::kStart, "demo"),
+        start_(node_, {.order = MissionOrder::kStart, .operator_name = "demo"}),
         log_(options.scenario, [this] { return node_.clock().steady_s(); }) {
     start_.insist();
     log_.attach(listener_.hooks);

@@ -21,16 +21,13 @@ std::uint64_t next_id(std::uint64_t last) {
 
 }  // namespace
 
-OrderSender::OrderSender(Node& node, MissionOrder order, std::string operator_name,
-                         FlightBounds bounds)
+OrderSender::OrderSender(Node& node, const MissionCommand& order)
     : order_(order),
-      operator_name_(std::move(operator_name)),
-      bounds_(bounds),
-      sending_(order),
+      sending_(order.order),
       writer_(node),
       reader_(node),
       vehicle_(node.options().names.vehicle) {
-  if (order != MissionOrder::kSetBounds) return;
+  if (!is_setting(order.order)) return;
   lease_.emplace();
   sending_ = MissionOrder::kLease;
 }
@@ -54,7 +51,7 @@ void OrderSender::update() {
   if (insists_ && is_overruled_) {
     sending_.reset();
   } else if (insists_ && is_done() && is_idle_ && !has_flown_) {
-    sending_ = order_;
+    sending_ = order_.order;
     next_s_ = now_s + kAgain_s;
   }
   if (sending_ && !gate_text_.empty() && writer_.readers() > 0 && now_s >= next_s_) send(now_s);
@@ -76,16 +73,16 @@ bool OrderSender::is_overruled(const foretrack_msgs::msg::SafetyState& state) co
   }
 }
 
-// What is answered is not asked again; the lease is given back whatever became of the bounds.
+// What is answered is not asked again; the lease is given back whatever became of the setting.
 void OrderSender::take_answer(MissionResult answer) {
   sent_.clear();
   next_s_ = 0.0;
   if (sending_ == MissionOrder::kLease && is_accepted(answer)) {
-    sending_ = order_;
+    sending_ = order_.order;
     return;
   }
   if (!result_) result_ = answer;
-  const bool gives_back = lease_ && sending_ == order_;
+  const bool gives_back = lease_ && sending_ == order_.order;
   sending_ = gives_back ? std::optional(MissionOrder::kRelease) : std::nullopt;
 }
 
@@ -93,10 +90,9 @@ void OrderSender::send(double now_s) {
   next_s_ = now_s + (sending_ == MissionOrder::kStop ? kRepeatStop_s : kAgain_s);
   last_id_ = next_id(last_id_);
   auto& order = writer_.sample();
-  to_idl(
-      MissionCommand{
-          .id = last_id_, .order = *sending_, .operator_name = operator_name_, .bounds = bounds_},
-      order);
+  order_.id = last_id_;
+  to_idl(order_, order);
+  order.command(static_cast<std::uint8_t>(*sending_));  // or about the lease for it
   order.header().stamp(gate_stamp_);
   if (lease_) lease_->sign(vehicle_, order);
   sent_.push_back(last_id_);
@@ -109,7 +105,9 @@ std::optional<MissionOrder> order_of(std::string_view name) {
        {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume, MissionOrder::kReturn,
         MissionOrder::kLand, MissionOrder::kStop, MissionOrder::kTakeOff})
     if (to_string(order) == name) return order;
-  return name == "bounds" ? std::optional(MissionOrder::kSetBounds) : std::nullopt;
+  if (name == "bounds") return MissionOrder::kSetBounds;
+  if (name == "follow") return MissionOrder::kFollow;
+  return name == "framing" ? std::optional(MissionOrder::kSetFraming) : std::nullopt;
 }
 
 }  // namespace foretrack

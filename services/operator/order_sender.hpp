@@ -16,10 +16,11 @@
 
 namespace foretrack {
 
-/// Without a lease; but bounds are set under one, which is taken for them and given back.
+/// Without a lease; but settings are made under one, which is taken for them and given back.
 class OrderSender {
  public:
-  OrderSender(Node& node, MissionOrder order, std::string operator_name, FlightBounds bounds = {});
+  /// What is ordered, by whom; the rest of the command is filled in.
+  OrderSender(Node& node, const MissionCommand& order);
 
   /// Call it about twenty times a second. Sends once the gate is heard, by the gate's own clock,
   /// and again each second, STOP ten times a second, until the gate has answered.
@@ -40,9 +41,7 @@ class OrderSender {
   void take_answer(MissionResult answer);
   bool is_overruled(const foretrack_msgs::msg::SafetyState& state) const;
 
-  MissionOrder order_;
-  std::string operator_name_;
-  FlightBounds bounds_;
+  MissionCommand order_;
   std::optional<LeaseKey> lease_;
   std::optional<MissionOrder> sending_;  // until it is answered
   Writer<topics::MissionCommand> writer_;
@@ -58,7 +57,8 @@ class OrderSender {
   bool insists_ = false, is_idle_ = false, has_flown_ = false, is_overruled_ = false;
 };
 
-/// The order of that name ("take_off", "bounds"); none: there is no such order.
+/// The order of that name ("take_off", "bounds", "follow", "framing"); none: there is no such
+/// order.
 std::optional<MissionOrder> order_of(std::string_view name);
 
 }  // namespace foretrack

@@ -42,13 +42,13 @@ class LookingAhead {
 
   void find_waypoints() {
     const ExpectedPath& path = expected_.paths[0];
-    const double step_s = context_.params.horizon.step_s;
     out_.views[0].assign(path.positions_enu_m.size(), View{});
     for (std::size_t k = 0; k < path.positions_enu_m.size(); ++k) {
-      search(path.positions_enu_m[k], context_.start_s + step_s * static_cast<double>(k + 1));
+      search(path.positions_enu_m[k], time_of(k));
       clock_.lap(PlanStage::kPath);
       View& view = out_.views[0][k];
-      view = view_of(path.positions_enu_m[k], path.velocities_enu_m_s[k], out_.way.points.back());
+      view = view_of(path.positions_enu_m[k], path.velocities_enu_m_s[k], out_.way.points.back(),
+                     time_of(k));
       if (view.seen) turn_waypoint(path.positions_enu_m[k], view.shrunk);
       out_.way.arrival.push_back(static_cast<int>(out_.way.points.size()) - 1);
       clock_.lap(PlanStage::kVisibleRegions);
@@ -62,12 +62,16 @@ class LookingAhead {
       for (std::size_t k = 0; k < path.positions_enu_m.size(); ++k) {
         if (expected_.owner(i, k, context_.params.horizon.merge_distance_m) != i) continue;
         out_.views[i][k] = view_of_other(path.positions_enu_m[k], path.velocities_enu_m_s[k],
-                                         out_.way.points[out_.way.arrival[k]]);
+                                         out_.way.points[out_.way.arrival[k]], time_of(k));
       }
     }
   }
 
  private:
+  double time_of(std::size_t k) const {
+    return context_.start_s + context_.params.horizon.step_s * static_cast<double>(k + 1);
+  }
+
   void search(const Vec3& target, double time_s) {
     const int left = context_.params.place.search_expansions_max - out_.search.expansions;
     const WaypointKind kind =
@@ -77,7 +81,8 @@ class LookingAhead {
     out_.path_found |= kind != WaypointKind::kNone;
   }
 
-  View view_of(const Vec3& target, const Vec3& velocity, const Vec3& waypoint) const {
+  View view_of(const Vec3& target, const Vec3& velocity, const Vec3& waypoint,
+               double time_s) const {
     View view;
     view.seen = visible_sector(context_, target, waypoint, view.visible);
     if (!view.seen) return view;
@@ -88,19 +93,23 @@ class LookingAhead {
                          intention_margins(view.visible, heading_rad, margins_.left, margins_.right,
                                            context_.params.place),
                          context_.params.place.margin_share_max);
+    if (context_.bearing)
+      view.shrunk = narrow(view.shrunk, context_.bearing->at(time_s),
+                           context_.params.framing.framing_half_angle_rad);
     return view;
   }
 
   // If the waypoint does not see this z_k, the nearest direction that does counts.
-  View view_of_other(const Vec3& target, const Vec3& velocity, const Vec3& waypoint) const {
-    View view = view_of(target, velocity, waypoint);
+  View view_of_other(const Vec3& target, const Vec3& velocity, const Vec3& waypoint,
+                     double time_s) const {
+    View view = view_of(target, velocity, waypoint, time_s);
     const Vec2 offset = (waypoint - target).head<2>();
     for (int i = 1; i <= 2 * kOtherSideSteps && !view.seen; ++i) {
       const int steps = (i + 1) / 2;
       const double turn_rad = (i % 2 == 1 ? 1.0 : -1.0) * steps * 0.5 * kPi / kOtherSideSteps;
       const Vec2 xy =
           target.head<2>() + context_.wanted_distance_m * direction_of(yaw_of(offset) + turn_rad);
-      view = view_of(target, velocity, context_.surface.at(xy));
+      view = view_of(target, velocity, context_.surface.at(xy), time_s);
     }
     return view;
   }

@@ -101,6 +101,13 @@ ViewSector shrink(const ViewSector& sector, const SectorMargins& margins, double
           sector.half_angle_rad - 0.5 * (left_rad + right_rad)};
 }
 
+ViewSector narrow(const ViewSector& sector, double wanted_rad, double half_angle_rad) {
+  const double half_rad = std::min(half_angle_rad, sector.half_angle_rad);
+  const double most_rad = sector.half_angle_rad - half_rad;
+  const double off_rad = wrap_angle(wanted_rad - sector.bisector_rad);
+  return {wrap_angle(sector.bisector_rad + std::clamp(off_rad, -most_rad, most_rad)), half_rad};
+}
+
 Vec3 rotate_into(const SearchContext& context, const Vec3& target_enu_m, const Vec3& waypoint,
                  const ViewSector& sector, double reach_m) {
   const Vec2 offset = (waypoint - target_enu_m).head<2>();

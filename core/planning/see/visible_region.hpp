@@ -38,6 +38,10 @@ SectorMargins intention_margins(const ViewSector& sector, double target_heading_
 /// margin_share_max of it.
 ViewSector shrink(const ViewSector& sector, const SectorMargins& margins, double share_max);
 
+/// The part of the sector within half_angle_rad of the wanted direction; where there is none, or
+/// less than that wide, the nearest part of that width. A narrower sector is left as it is.
+ViewSector narrow(const ViewSector& sector, double wanted_rad, double half_angle_rad);
+
 /// The waypoint on the nearest direction inside the sector, at its distance from the target, at
 /// most reach_m away. Unchanged if the way there is not clear or the target not seen from there.
 Vec3 rotate_into(const SearchContext& context, const Vec3& target_enu_m, const Vec3& waypoint,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/planning/frame_target.hpp"
 #include "core/planning/motion/keep_clear.hpp"
 #include "core/planning/way/flight_surface.hpp"
 
@@ -39,11 +40,12 @@ struct SearchContext {
   const GridMap& map;
   const FlightSurface& surface;
   const PlanningParams& params;
-  const FlightLimits& limits;            // the plan's own: a search is slower than the parameters
-  double wanted_distance_m = 2.0;        // radius of the ring around the target
-  double ring_tolerance_m = 0.2;         // its half width
-  const BodyCourses* courses = nullptr;  // everybody who moves; null: nobody
-  double start_s = 0.0;                  // absolute time at which the way begins
+  const FlightLimits& limits;              // the plan's own: a search is slower than the parameters
+  double wanted_distance_m = 2.0;          // radius of the ring around the target
+  double ring_tolerance_m = 0.2;           // its half width
+  const BodyCourses* courses = nullptr;    // everybody who moves; null: nobody
+  double start_s = 0.0;                    // absolute time at which the way begins
+  const WantedBearing* bearing = nullptr;  // of the vehicle from the target; null: free
 };
 
 /// What a waypoint was found for.

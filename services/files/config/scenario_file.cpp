@@ -141,6 +141,21 @@ void read_incident(YamlReader& r, Incident& incident) {
   incident.mode = static_cast<FlightMode>(mode);
 }
 
+void read_order(YamlReader& r, OperatorOrder& order) {
+  r.number("at_s", order.at_s, 0.0, 1e5);
+  if (r.has("follow")) {
+    int person = 0;
+    r.integer("follow", person, 0, 1000000000);
+    order.follow = static_cast<std::uint32_t>(person);
+  }
+  r.number("distance_m", order.framing.distance_m, 0.0, kFar_m);
+  r.number("height_m", order.framing.height_m, -kFar_m, kFar_m);
+  r.number("bearing_rad", order.framing.bearing_rad, -kPi, kPi);
+  r.number("circling_rad_s", order.framing.circling_rad_s, -10.0, 10.0);
+  if (order.follow && !order.framing.is_free())
+    r.fault("follow", "give either whom to follow or a framing");
+}
+
 void read_sensors(YamlReader& r, Scenario& s) {
   LandmarkCameraParams& landmarks = s.landmark_camera;
   r.number("landmark_noise_px", landmarks.noise_px, 0.0, 100.0);
@@ -206,6 +221,8 @@ ScenarioFile read_scenario_file(YamlReader& r) {
   auto& incidents = s.autopilot.incidents;
   r.list("incidents", [&](YamlReader& i) { read_incident(i, incidents.emplace_back()); });
   std::ranges::stable_sort(incidents, {}, &Incident::at_s);
+  r.list("orders", [&](YamlReader& o) { read_order(o, s.orders.emplace_back()); });
+  std::ranges::stable_sort(s.orders, {}, &OperatorOrder::at_s);
   r.section("sensors", [&](YamlReader& v) { read_sensors(v, s); });
   r.section("wind", [&](YamlReader& w) { read_wind(w, s.wind); });
   int map = 0;

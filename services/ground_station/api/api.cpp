@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "services/ground_station/api/order_body.hpp"
 #include "services/ground_station/http/files.hpp"
 #include "services/ground_station/http/guard.hpp"
 
@@ -33,14 +34,6 @@ bool is_name(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) {
            return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ' ';
          });
-}
-
-std::optional<MissionOrder> order_of(const std::string& word) {
-  for (const auto order :
-       {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume, MissionOrder::kReturn,
-        MissionOrder::kLand, MissionOrder::kStop, MissionOrder::kTakeOff})
-    if (to_string(order) == word) return order;
-  return std::nullopt;
 }
 
 std::string list_recordings(const fs::path& folder) {
@@ -168,11 +161,10 @@ void Api::lease(const Order& order, double now_s) {
 }
 
 void Api::command(const Order& order, double now_s) {
-  const auto what = order_of(order.action);
-  if (!what)
-    return order.report(
-        {false, "'command' start, hold, resume, return, land, stop or take_off expected"});
-  commander_->command(order.vehicle, *what, order.name, now_s, order.report);
+  auto command = read_order(order.body);
+  if (!command) return order.report({false, command.fault().text});
+  command->operator_name = order.name;
+  commander_->command(order.vehicle, *command, now_s, order.report);
 }
 
 void Api::record(const Order& order) {

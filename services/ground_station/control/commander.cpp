@@ -83,8 +83,8 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   if (vehicle.delivery)
     vehicle.delivery->gate = {now_s, to_seconds(state.header().stamp()),
                               state.phase() == static_cast<std::uint8_t>(MissionPhase::kStopped)};
-  if (state.command() > static_cast<std::uint8_t>(MissionOrder::kSetBounds) ||
-      state.command_result() > static_cast<std::uint8_t>(MissionResult::kAcceptedUnwritten))
+  if (state.command() > static_cast<std::uint8_t>(MissionOrder::kSetFraming) ||
+      state.command_result() > static_cast<std::uint8_t>(MissionResult::kRefusedFraming))
     return;
   const auto order = static_cast<MissionOrder>(state.command());
   const auto result = static_cast<MissionResult>(state.command_result());
@@ -122,7 +122,7 @@ void Commander::take(const std::string& name, const std::string& who, double now
   }
   const auto key = std::make_shared<const LeaseKey>();
   vehicle->delivery->order(
-      MissionOrder::kLease, who, key, now_s,
+      {.order = MissionOrder::kLease, .operator_name = who}, key, now_s,
       [vehicle, who, key, now_s, report = std::move(report)](const Outcome& outcome) {
         if (outcome.ok) vehicle->lease = Lease{who, key, now_s + kLease_s, now_s};
         const auto& holder = vehicle->mission.lease_operator;
@@ -139,7 +139,8 @@ void Commander::release(const std::string& name, const std::string& who, double 
     return report({false, who + " does not hold the lease"});
   const auto key = vehicle->lease->key;
   vehicle->lease.reset();
-  vehicle->delivery->order(MissionOrder::kRelease, who, key, now_s, std::move(report));
+  vehicle->delivery->order({.order = MissionOrder::kRelease, .operator_name = who}, key, now_s,
+                           std::move(report));
 }
 
 void Commander::hand_over(const std::string& name, const std::string& who, const std::string& to,
@@ -150,7 +151,7 @@ void Commander::hand_over(const std::string& name, const std::string& who, const
     return report({false, who + " does not hold the lease"});
   // The secret stays the station's, so the gate sees its holder renew it under a new name.
   vehicle->delivery->order(
-      MissionOrder::kLease, to, vehicle->lease->key, now_s,
+      {.order = MissionOrder::kLease, .operator_name = to}, vehicle->lease->key, now_s,
       [vehicle, to, now_s, report = std::move(report)](const Outcome& outcome) {
         if (outcome.ok && vehicle->lease) {
           vehicle->lease->name = to;
@@ -160,20 +161,22 @@ void Commander::hand_over(const std::string& name, const std::string& who, const
       });
 }
 
-void Commander::command(const std::string& name, MissionOrder what, const std::string& who,
-                        double now_s, Report report) {
+void Commander::command(const std::string& name, const MissionCommand& what, double now_s,
+                        Report report) {
   auto* vehicle = find(name, report);
   if (!vehicle) return;
+  const auto who = what.operator_name.view();
   auto& lease = vehicle->lease;
   const bool holds = lease && lease->name == who;
   const bool is_free = !lease && vehicle->mission.lease_operator.empty();
-  const bool needs_lease = what != MissionOrder::kStop && !(what == MissionOrder::kLand && is_free);
+  const bool needs_lease =
+      what.order != MissionOrder::kStop && !(what.order == MissionOrder::kLand && is_free);
   if (!holds && needs_lease) {
     const auto& holder = lease ? lease->name : vehicle->mission.lease_operator;
     return report({false, holder.empty() ? "take the lease first" : holder + " holds the lease"});
   }
   if (holds) lease->until_s = now_s + kLease_s;
-  vehicle->delivery->order(what, who, holds ? lease->key : nullptr, now_s, std::move(report));
+  vehicle->delivery->order(what, holds ? lease->key : nullptr, now_s, std::move(report));
 }
 
 void Commander::tick(double now_s) {
@@ -198,8 +201,9 @@ void Commander::renew(Vehicle& vehicle, double now_s) {
   const Lease current = *lease;
   if (over) lease.reset();
   vehicle.delivery->order(
-      over ? MissionOrder::kRelease : MissionOrder::kLease, current.name, current.key, now_s,
-      [&vehicle](const Outcome& outcome) {
+      {.order = over ? MissionOrder::kRelease : MissionOrder::kLease,
+       .operator_name = current.name},
+      current.key, now_s, [&vehicle](const Outcome& outcome) {
         if (!outcome.ok && outcome.reason == to_string(MissionResult::kRefusedForeign))
           vehicle.lease.reset();  // it ran out unheard, and somebody else took it
       });

@@ -47,10 +47,9 @@ class Commander {
   /// From its holder to another operator, without a moment in which a third one could take it.
   void hand_over(const std::string& vehicle, const std::string& name, const std::string& to,
                  double now_s, Report report);
-  /// Needs the lease, but for stop, which goes on, for a minute, after it was reported unconfirmed,
-  /// and for land while nobody holds it.
-  void command(const std::string& vehicle, MissionOrder order, const std::string& name,
-               double now_s, Report report);
+  /// What its operator_name orders. Needs the lease, but for stop, which goes on, for a minute,
+  /// after it was reported unconfirmed, and for land while nobody holds it.
+  void command(const std::string& vehicle, const MissionCommand& what, double now_s, Report report);
 
   std::map<std::string, MissionStatus> missions(double now_s) const;
 

@@ -6,6 +6,7 @@
 
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "services/common/clock.hpp"
+#include "services/convert/safety.hpp"
 #include "services/ground_station/bus/channel.hpp"
 
 namespace foretrack::station {
@@ -18,6 +19,11 @@ constexpr double kRepeatStop_s = 0.1;
 constexpr double kHeard_s = 0.5;          // the gate speaks at 20 Hz
 constexpr double kFarthestGuess_s = 0.2;  // less than the gate takes for the future
 constexpr double kSimulated_s = 1e8;      // stamps before 1973 are of a simulated clock
+
+Unconfirmed unconfirmed_order(const MissionCommand& command, bool still_sent) {
+  return {std::string(to_string(command.order)), std::string(command.operator_name.view()),
+          still_sent};
+}
 
 }  // namespace
 
@@ -32,15 +38,13 @@ std::uint64_t Delivery::next_id() {
 
 bool Delivery::stops() const {
   return std::any_of(pending_.begin(), pending_.end(),
-                     [](const Pending& p) { return p.order == MissionOrder::kStop; });
+                     [](const Pending& p) { return p.command.order == MissionOrder::kStop; });
 }
 
-void Delivery::order(MissionOrder order, const std::string& name, Key key, double now_s,
-                     Report report) {
+void Delivery::order(const MissionCommand& what, Key key, double now_s, Report report) {
   Pending pending;
   pending.id = next_id();
-  pending.order = order;
-  pending.name = name;
+  pending.command = what;
   pending.key = std::move(key);
   pending.since_s = pending.next_s = now_s;
   pending.report = std::move(report);
@@ -60,16 +64,15 @@ double Delivery::next_stamp_s(double now_s) {
 
 void Delivery::send(Pending& pending, double now_s) {
   foretrack_msgs::msg::MissionCommand command;
+  to_idl(pending.command, command);
   command.header().stamp(to_stamp(next_stamp_s(now_s)));
   command.id(pending.sent.empty() ? pending.id : next_id());
-  command.command(static_cast<std::uint8_t>(pending.order));
-  command.operator_id(pending.name);
   if (pending.key) pending.key->sign(vehicle_, command);
   pending.sent.push_back(command.id());
-  pending.next_s = pending.order == MissionOrder::kStop ? now_s + kRepeatStop_s : 1e18;
+  pending.next_s = pending.command.order == MissionOrder::kStop ? now_s + kRepeatStop_s : 1e18;
   const auto bytes = to_cdr(type_ops<foretrack_msgs::msg::MissionCommand>(), &command);
   writer_->write(bytes);
-  if (former_ && pending.order == MissionOrder::kStop) former_->write(bytes);
+  if (former_ && pending.command.order == MissionOrder::kStop) former_->write(bytes);
 }
 
 void Delivery::settle(std::uint64_t command_id, MissionResult result) {
@@ -80,7 +83,7 @@ void Delivery::settle(std::uint64_t command_id, MissionResult result) {
       p.retried = true;  // a second one would be refused, as the first acts already
       return false;
     }
-    if (!answered && !(p.order == MissionOrder::kStop && !p.sent.empty() && gate.stopped))
+    if (!answered && !(p.command.order == MissionOrder::kStop && !p.sent.empty() && gate.stopped))
       return false;
     const bool ok = !answered || is_accepted(result);
     gave_up_.reset();
@@ -97,7 +100,7 @@ void Delivery::doubt(double now_s, const std::function<void(MissionOrder)>& on_u
     if (pending.retried || now_s - pending.since_s < kConfirm_s) continue;
     pending.retried = true;
     pending.next_s = now_s;
-    if (now_s - gate.at_s < kHeard_s) on_unanswered(pending.order);
+    if (now_s - gate.at_s < kHeard_s) on_unanswered(pending.command.order);
   }
 }
 
@@ -105,7 +108,7 @@ void Delivery::doubt(double now_s, const std::function<void(MissionOrder)>& on_u
 void Delivery::expire(double now_s) {
   std::vector<std::pair<Report, Outcome>> late;
   std::erase_if(pending_, [&](Pending& p) {
-    const bool is_stop = p.order == MissionOrder::kStop;
+    const bool is_stop = p.command.order == MissionOrder::kStop;
     if (now_s - p.since_s < kPatience_s) return false;
     if (p.report)
       late.emplace_back(std::exchange(p.report, nullptr),
@@ -113,8 +116,7 @@ void Delivery::expire(double now_s) {
                                                   : "the safety gate did not answer",
                                 .answered = false});
     if (is_stop && now_s - p.since_s < kStopPatience_s) return false;
-    if (!is_about_lease(p.order))
-      gave_up_ = Unconfirmed{std::string(to_string(p.order)), p.name, false};
+    if (!is_about_lease(p.command.order)) gave_up_ = unconfirmed_order(p.command, false);
     return true;
   });
   for (const auto& [report, outcome] : late) report(outcome);
@@ -143,8 +145,8 @@ bool Delivery::needs_former() {
 std::optional<Unconfirmed> Delivery::unconfirmed(double now_s) const {
   for (const auto& p : pending_) {
     if (now_s - p.since_s < kConfirm_s) continue;
-    if (is_about_lease(p.order) && now_s - gate.at_s > kHeard_s) continue;
-    return Unconfirmed{std::string(to_string(p.order)), p.name, true};
+    if (is_about_lease(p.command.order) && now_s - gate.at_s > kHeard_s) continue;
+    return unconfirmed_order(p.command, true);
   }
   return gave_up_;
 }

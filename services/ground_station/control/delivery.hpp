@@ -46,7 +46,8 @@ class Delivery {
   Delivery(std::string vehicle, std::unique_ptr<RawWriter> writer)
       : vehicle_(std::move(vehicle)), writer_(std::move(writer)) {}
 
-  void order(MissionOrder order, const std::string& name, Key key, double now_s, Report report);
+  /// What is ordered and by whom; stamp, id and proof are set here.
+  void order(const MissionCommand& what, Key key, double now_s, Report report);
   /// What the gate says of an order. One that it is still writing down was heard, and waits on.
   void settle(std::uint64_t command_id, MissionResult result);
   /// Sends what is due, gives up what has waited too long. on_unanswered: of an order that a gate
@@ -67,8 +68,7 @@ class Delivery {
  private:
   struct Pending {
     std::uint64_t id = 0;
-    MissionOrder order = MissionOrder::kStart;
-    std::string name;
+    MissionCommand command;
     Key key;
     double since_s = 0.0;
     double next_s = 0.0;   // when it is sent, or sent again

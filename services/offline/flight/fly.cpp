@@ -47,6 +47,35 @@ void write_decision(const TrackerOutput& out, FlightRow& last, FlightRow& row) {
   row.setpoint = out.gate.setpoint;
 }
 
+// An operator who starts the flight, and orders what the scenario says, each under a lease that is
+// taken for it.
+class SteadyOperator {
+ public:
+  explicit SteadyOperator(const Scenario& scenario) : orders_(scenario.orders) {}
+
+  /// Null: nothing is ordered now.
+  const MissionCommand* order(double now_s) {
+    command_ = {.id = command_.id + 1, .stamp_s = now_s, .lease_id = "lease", .proved = true};
+    if (command_.id == 1) return &command_;  // start
+    if (next_ == orders_.size() || now_s < orders_[next_].at_s) return nullptr;
+    command_.order = MissionOrder::kLease;
+    if (std::exchange(has_lease_, !has_lease_)) take(orders_[next_++]);
+    return &command_;
+  }
+
+ private:
+  void take(const OperatorOrder& order) {
+    command_.order = order.follow ? MissionOrder::kFollow : MissionOrder::kSetFraming;
+    command_.person_id = order.follow.value_or(0);
+    command_.framing = order.framing;
+  }
+
+  const std::vector<OperatorOrder>& orders_;
+  std::size_t next_ = 0;
+  bool has_lease_ = false;
+  MissionCommand command_;
+};
+
 }  // namespace
 
 MetricParams metric_params_of(const TrackerParams& params) {
@@ -76,7 +105,7 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
                                   static_cast<PoseModel>(params.perception.model_complexity)),
                 params.perception, scenario.landmark_camera.delay_s);
   FlightRow last;
-  bool started = false;
+  SteadyOperator steady_operator(scenario);
   const Pilot pilot = [&](PilotStep s) {
     TrackerInput input{.now_s = s.simulator.now_s,
                        .vehicle = s.simulator.vehicle,
@@ -92,9 +121,7 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
       input.sightings = &seen->others.sightings;
       input.looks = seen->others.looks;
     }
-    const MissionCommand start{
-        .id = 1, .stamp_s = s.simulator.now_s, .order = MissionOrder::kStart};
-    if (!std::exchange(started, true)) input.command = &start;
+    input.command = steady_operator.order(s.simulator.now_s);
     const double begin_ms = cpu_ms();  // other flights run beside this one
     const TrackerOutput out = step(tracker, input, params);
     if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);

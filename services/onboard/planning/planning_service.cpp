@@ -58,8 +58,10 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   loop.on_newest(intention_reader_, convert,
                  [this](const IntentionAssessment& intention) { believe(intention); });
   loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) { bodies_ = bodies; });
-  loop.on_newest(gate_reader_, convert,
-                 [this](const GateReport& gate) { flies_plans_ = flies_plan(gate.result); });
+  loop.on_newest(gate_reader_, convert, [this](const GateReport& gate) {
+    flies_plans_ = flies_plan(gate.result);
+    framing_ = gate.result.framing;
+  });
   loop.on_newest(prediction_reader_, convert, [this](Prediction&& prediction) {
     prediction_ = std::move(prediction);
     // Not before the last plan has started: the gate keeps but one waiting.
@@ -91,6 +93,7 @@ PlanInput PlanningService::gather(double now_s) const {
   in.map = &map_;
   if (bodies_) in.bodies = &*bodies_;
   in.flies_plans = flies_plans_;
+  in.framing = framing_;
   return in;
 }
 

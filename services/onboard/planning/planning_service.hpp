@@ -56,6 +56,7 @@ class PlanningService {
   std::optional<Prediction> prediction_;
   std::optional<MovingBodies> bodies_;
   bool flies_plans_ = true;  // until a gate says otherwise
+  Framing framing_;          // as it was ordered
   double planned_s_ = -1e9;
   double search_told_s_ = -1e9;
   SearchSummary summary_;

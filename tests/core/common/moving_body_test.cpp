@@ -83,5 +83,16 @@ TEST(MovingBodies, HoldNoMoreThanFit) {
   EXPECT_EQ(bodies.all().size(), 16u);
 }
 
+TEST(MovingBodies, TheNearestPersonIsFoundOverTheGround) {
+  MovingBodies bodies;
+  EXPECT_EQ(nearest_person(bodies, Vec3::Zero()), nullptr);
+  bodies.add({.id = 1, .kind = BodyKind::kVehicle});
+  EXPECT_EQ(nearest_person(bodies, Vec3::Zero()), nullptr);
+  bodies.add({.id = 2, .kind = BodyKind::kPerson, .position_enu_m = {5, 0, 0}});
+  bodies.add({.id = 3, .kind = BodyKind::kPerson, .position_enu_m = {0, 3, 0}});
+  bodies.add({.id = 4, .kind = BodyKind::kPerson, .position_enu_m = {4, 0, 0}});
+  EXPECT_EQ(nearest_person(bodies, {0, 0, 9})->id, 3u);
+}
+
 }  // namespace
 }  // namespace foretrack

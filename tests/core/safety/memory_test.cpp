@@ -138,7 +138,7 @@ TEST(Memory, OfAnotherVersionOrDamagedIsAsNone) {
   const GateMemory good = loop.state.memory;
   ASSERT_EQ(mission_of(good, 0.0, {}).phase, MissionPhase::kStopped);
   GateMemory bad[5] = {good, good, good, good, good};
-  bad[0].version = 2;
+  bad[0].version = GateMemory::kVersion + 1;
   bad[1].phase = static_cast<MissionPhase>(99);
   bad[2].lease_id.length = 200;
   bad[3].lease_operator.length = 200;
@@ -252,6 +252,63 @@ TEST(Memory, AFailedWriteUndoesALeaseAndBounds) {
   EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten);
   EXPECT_EQ(loop.state.mission.bounds, FlightBounds{});
   EXPECT_EQ(loop.result.phase, MissionPhase::kTracking);
+}
+
+// A person to be followed, and a framing.
+struct Settings : Unwritten {
+  MovingBodies bodies;
+  Settings() {
+    bodies.add({.id = 7, .kind = BodyKind::kPerson});
+    extra.bodies = &bodies;
+    order(MissionOrder::kLease, "ada");
+    write();
+    tick();
+  }
+  GateResult set(MissionCommand command) {
+    extra.bodies_at_s = now_s;
+    command.id = ++last_order;
+    command.stamp_s = stamp_now_s();
+    command.operator_name = command.lease_id = "ada";
+    command.proved = true;
+    return tick(nullptr, &command);
+  }
+  GateResult follow() { return set({.order = MissionOrder::kFollow, .person_id = 7}); }
+  GateResult frame(double distance_m) {
+    return set({.order = MissionOrder::kSetFraming, .framing = {.distance_m = distance_m}});
+  }
+};
+
+TEST(Memory, KeepsWhomToFollowAndTheFramingAcrossAKill) {
+  Settings loop;
+  loop.follow();
+  loop.frame(4.0);
+  loop.write();
+  EXPECT_EQ(loop.tick().command_result, MissionResult::kAccepted);
+  EXPECT_EQ(loop.result.person, (PersonChoice{true, 7}));
+  EXPECT_EQ(loop.result.framing, Framing{.distance_m = 4.0});
+  const Mission after = mission_of(loop.state.memory, 0.0, {});
+  EXPECT_EQ(after.person, (PersonChoice{true, 7}));
+  EXPECT_EQ(after.framing, Framing{.distance_m = 4.0});
+  const MissionRules narrower{.framing = {.distance_max_m = 3.0}};
+  EXPECT_TRUE(mission_of(loop.state.memory, 0.0, narrower).framing.is_free());
+}
+
+TEST(Memory, AFailedWriteUndoesWhomToFollowAndTheFraming) {
+  Settings loop;
+  EXPECT_EQ(loop.frame(4.0).command_result, MissionResult::kPending);
+  loop.write();
+  loop.tick();
+  loop.follow();
+  loop.follow();  // that is none
+  loop.frame(5.0);
+  loop.frame(6.0);
+  EXPECT_EQ(loop.state.mission.person, (PersonChoice{true, 7}));
+  loop.fail();
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten) << i;
+  }
+  EXPECT_EQ(loop.state.mission.person, PersonChoice{});
+  EXPECT_EQ(loop.state.mission.framing, Framing{.distance_m = 4.0}) << "as it was written last";
 }
 
 // ── orders that come while another one is being written ──

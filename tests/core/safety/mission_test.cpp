@@ -11,9 +11,10 @@ namespace {
 
 constexpr MissionRules kRules{.max_age_s = 1.0, .future_s = 0.5, .lease_s = 5.0};
 constexpr std::uint64_t kHighest = std::numeric_limits<std::uint64_t>::max();
-constexpr auto kAll = {MissionOrder::kStart,   MissionOrder::kHold,    MissionOrder::kResume,
-                       MissionOrder::kReturn,  MissionOrder::kLand,    MissionOrder::kLease,
-                       MissionOrder::kRelease, MissionOrder::kTakeOff, MissionOrder::kSetBounds};
+constexpr auto kAll = {MissionOrder::kStart,   MissionOrder::kHold,      MissionOrder::kResume,
+                       MissionOrder::kReturn,  MissionOrder::kLand,      MissionOrder::kLease,
+                       MissionOrder::kRelease, MissionOrder::kTakeOff,   MissionOrder::kSetBounds,
+                       MissionOrder::kFollow,  MissionOrder::kSetFraming};
 
 /// A mission that tracks, and orders a moment apart.
 struct Orders {
@@ -226,6 +227,63 @@ TEST(Mission, OrdersMoveItFromPhaseToPhase) {
   }
 }
 
+struct People {
+  MovingBodies bodies;
+  People() {
+    bodies.add({.id = 7, .kind = BodyKind::kPerson});
+    bodies.add({.id = 8, .kind = BodyKind::kVehicle});
+  }
+};
+
+TEST(Mission, FollowsAPersonWhoIsThereOrNobody) {
+  const People people;
+  Orders orders;
+  orders.give(MissionOrder::kLease);
+  const auto follow = [&](std::uint32_t id, const MovingBodies* bodies) {
+    orders.now_s += 0.01;
+    MissionCommand command = orders.order(MissionOrder::kFollow);
+    command.person_id = id;
+    return apply(command, orders.mission, {orders.now_s, orders.now_s}, kRules, bodies);
+  };
+  EXPECT_FALSE(orders.mission.person.made);
+  EXPECT_EQ(follow(7, &people.bodies), MissionResult::kAccepted);
+  EXPECT_EQ(orders.mission.person, (PersonChoice{true, 7}));
+  EXPECT_EQ(follow(6, &people.bodies), MissionResult::kRefusedPerson) << "nobody has that number";
+  EXPECT_EQ(follow(8, &people.bodies), MissionResult::kRefusedPerson) << "a vehicle";
+  EXPECT_EQ(follow(7, nullptr), MissionResult::kRefusedPerson) << "nobody is known";
+  EXPECT_EQ(orders.mission.person, (PersonChoice{true, 7}));
+  EXPECT_EQ(follow(0, nullptr), MissionResult::kAccepted);
+  EXPECT_EQ(orders.mission.person, (PersonChoice{true, 0}));
+  EXPECT_EQ(orders.mission.phase, MissionPhase::kTracking);
+}
+
+TEST(Mission, TakesFramingsThatAreSafeAndKeepsTheLastOne) {
+  Orders orders;
+  orders.give(MissionOrder::kLease);
+  const auto frame = [&](const Framing& framing) {
+    orders.now_s += 0.01;
+    MissionCommand command = orders.order(MissionOrder::kSetFraming);
+    command.framing = framing;
+    return orders.give(command);
+  };
+  const Framing wanted{.distance_m = 4.0, .height_m = 1.0};
+  EXPECT_EQ(frame(wanted), MissionResult::kAccepted);
+  EXPECT_EQ(frame({.distance_m = 0.5}), MissionResult::kRefusedFraming);
+  EXPECT_EQ(orders.mission.framing, wanted);
+  EXPECT_EQ(frame({}), MissionResult::kAccepted);
+  EXPECT_TRUE(orders.mission.framing.is_free());
+}
+
+TEST(Mission, SettingsAreMadeUnderTheLeaseAlone) {
+  for (const auto order :
+       {MissionOrder::kSetBounds, MissionOrder::kFollow, MissionOrder::kSetFraming}) {
+    Orders orders;
+    EXPECT_EQ(orders.give(order), MissionResult::kRefusedUnproved) << to_string(order);
+    orders.give(MissionOrder::kLease);
+    EXPECT_EQ(orders.give(order), MissionResult::kAccepted) << to_string(order);
+  }
+}
+
 TEST(Mission, TakesBoundsThatAreSoundAndKeepsTheLastOnes) {
   Orders orders;
   ASSERT_EQ(orders.give(MissionOrder::kLease), MissionResult::kAccepted);
@@ -255,7 +313,7 @@ TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
     EXPECT_EQ(needs_memory(order),
               order == MissionOrder::kStart || order == MissionOrder::kResume ||
                   order == MissionOrder::kTakeOff || order == MissionOrder::kLease ||
-                  order == MissionOrder::kSetBounds)
+                  is_setting(order))
         << to_string(order);
   EXPECT_FALSE(needs_memory(MissionOrder::kStop));
 }
@@ -263,6 +321,9 @@ TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
 TEST(Mission, EverythingHasAName) {
   for (const auto order : kAll) EXPECT_FALSE(to_string(order).empty());
   EXPECT_EQ(to_string(MissionOrder::kSetBounds), "set_bounds");
+  EXPECT_EQ(to_string(MissionOrder::kSetFraming), "set_framing");
+  EXPECT_EQ(to_string(MissionResult::kRefusedFraming),
+            "refused: this framing is out of its safe ranges");
   EXPECT_EQ(to_string(MissionPhase::kTakingOff), "taking off");
   EXPECT_EQ(to_string(MissionResult::kAcceptedUnwritten),
             "accepted, but a restart would forget it");

@@ -42,6 +42,11 @@ TEST(OrderProof, CoversEveryFieldAndTheVehicle) {
       [](Order& o) {
         o.fence_m({0.0, 0.0});
       },
+      [](Order& o) { o.person_id(3); },
+      [](Order& o) { o.framing().distance_m(3.0); },
+      [](Order& o) { o.framing().height_m(3.0); },
+      [](Order& o) { o.framing().bearing_rad(3.0); },
+      [](Order& o) { o.framing().circling_radps(0.3); },
       [](Order& o) { o.proof()[0] ^= 1; }};
   for (const auto& forge : forgeries) {
     Order order = hold();

@@ -32,6 +32,8 @@ GateReport report() {
   r.result.plan_age_s = 0.3;
   r.result.deviation_m = 0.1;
   r.result.plan_id = 99;
+  r.result.person = {true, 7};
+  r.result.framing = {.distance_m = 3.0, .bearing_rad = 1.5, .circling_rad_s = -0.2};
   Setpoint s;
   s.position_enu_m = {1, 2, 3};
   s.acceleration_enu_m_s2 = Vec3::Constant(kNaN);
@@ -70,6 +72,8 @@ TEST(SafetyStateMessage, RoundTripsWithUncontrolledFields) {
   EXPECT_EQ(out->result.plan_age_s, in.result.plan_age_s);
   EXPECT_EQ(out->result.deviation_m, in.result.deviation_m);
   EXPECT_EQ(out->result.plan_id, in.result.plan_id);
+  EXPECT_EQ(out->result.person, in.result.person);
+  EXPECT_EQ(out->result.framing, in.result.framing);
   ASSERT_TRUE(out->result.setpoint);
   EXPECT_EQ(out->result.setpoint->position_enu_m, Vec3(1, 2, 3));
   EXPECT_TRUE(std::isnan(out->result.setpoint->acceleration_enu_m_s2.x()));
@@ -94,13 +98,15 @@ TEST(SafetyStateMessage, RefusesEachBadField) {
               {"reason", [](M& m) { m.reason(20); }},
               {"phase", [](M& m) { m.phase(8); }},
               {"request", [](M& m) { m.request(7); }},
-              {"command_result", [](M& m) { m.command_result(12); }},
+              {"command_result", [](M& m) { m.command_result(14); }},
               {"plan_age_s", [](M& m) { m.plan_age_s(kNaN); }},
               {"deviation_m", [](M& m) { m.deviation_m(kInf); }},
               {"odometry_age_s", [](M& m) { m.odometry_age_s(kNaN); }},
               {"position_m", [](M& m) { m.position_m()[0] = kInf; }},
               {"velocity_mps", [](M& m) { m.velocity_mps()[0] = 1e3; }},
               {"yaw_rad", [](M& m) { m.yaw_rad(-kInf); }},
+              {"framing.distance_m", [](M& m) { m.framing().distance_m(kInf); }},
+              {"framing.circling_radps", [](M& m) { m.framing().circling_radps(kNaN); }},
           },
       [](const M& m) { return from_idl(m); });
 }
@@ -122,13 +128,41 @@ TEST(MissionCommandMessage, RoundTripsAndKeepsTheLease) {
   EXPECT_EQ(out->lease_id.view(), "lease");
 }
 
+TEST(MissionCommandMessage, CarriesWhomToFollowAndTheFraming) {
+  CommandMsg msg;
+  to_idl(MissionCommand{.id = 5, .order = MissionOrder::kFollow, .person_id = 12}, msg);
+  auto out = from_idl(msg);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->person_id, 12u);
+  EXPECT_TRUE(out->framing.is_free());
+  const Framing framing{.height_m = 1.2, .bearing_rad = -0.5, .circling_rad_s = 0.1};
+  to_idl(MissionCommand{.id = 6, .order = MissionOrder::kSetFraming, .framing = framing}, msg);
+  out = from_idl(msg);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->framing, framing);
+  EXPECT_EQ(out->person_id, 0u);
+}
+
+TEST(MissionCommandMessage, RefusesAFramingThatIsNone) {
+  using M = CommandMsg;
+  testing::expect_each_refused<M>(
+      message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kSetFraming}),
+      {
+          {"framing.distance_m", [](M& m) { m.framing().distance_m(-kInf); }},
+          {"framing.height_m", [](M& m) { m.framing().height_m(kInf); }},
+          {"framing.bearing_rad", [](M& m) { m.framing().bearing_rad(1e9); }},
+          {"framing.circling_radps", [](M& m) { m.framing().circling_radps(kNaN); }},
+      },
+      [](const M& m) { return from_idl(m); });
+}
+
 TEST(MissionCommandMessage, RefusesEachBadField) {
   using M = CommandMsg;
   testing::expect_each_refused<M>(
       message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kStop}),
       {
           {"header.stamp", [](M& m) { m.header().stamp().sec(-1); }},
-          {"command", [](M& m) { m.command(10); }},
+          {"command", [](M& m) { m.command(12); }},
           {"id", [](M& m) { m.id(0); }},
       },
       [](const M& m) { return from_idl(m); });

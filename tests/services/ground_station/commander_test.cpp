@@ -81,8 +81,10 @@ class Orders : public ::testing::Test {
       if (what == "take")
         commander_.take("uav1", "ada", now_s(), report);
       else
-        commander_.command("uav1", what == "stop" ? MissionOrder::kStop : MissionOrder::kHold,
-                           "ada", now_s(), report);
+        commander_.command("uav1",
+                           {.order = what == "stop" ? MissionOrder::kStop : MissionOrder::kHold,
+                            .operator_name = "ada"},
+                           now_s(), report);
     }
     if (outcome_ && !outcome_->ok && what == "take") asked_.clear();  // before it was discovered
     return outcome_ && outcome_->ok;

@@ -51,7 +51,7 @@ class Insisting : public ::testing::Test {
 
   ReluctantGate gate_;
   Node node_{node_options("operator")};
-  OrderSender sender_{node_, MissionOrder::kStart, "test"};
+  OrderSender sender_{node_, {.order = MissionOrder::kStart, .operator_name = "test"}};
 };
 
 TEST_F(Insisting, AStartThatCameToNothingIsGivenAgain) {

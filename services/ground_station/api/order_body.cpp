@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "services/ground_station/api/order_body.hpp"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace foretrack::station {
+namespace {
+
+using Body = nlohmann::ordered_json;
+
+constexpr auto kPlainOrders = {MissionOrder::kStart,  MissionOrder::kHold, MissionOrder::kResume,
+                               MissionOrder::kReturn, MissionOrder::kLand, MissionOrder::kStop,
+                               MissionOrder::kTakeOff};
+
+std::optional<MissionOrder> order_named(const Body& body) {
+  const auto it = body.find("command");
+  if (it == body.end() || !it->is_string()) return std::nullopt;
+  const auto word = it->get<std::string>();
+  for (const auto order : kPlainOrders)
+    if (to_string(order) == word) return order;
+  if (word == "follow") return MissionOrder::kFollow;
+  if (word == "framing") return MissionOrder::kSetFraming;
+  return word == "bounds" ? std::optional(MissionOrder::kSetBounds) : std::nullopt;
+}
+
+// Left as it is where the body has none, or null.
+void read_number(Checks& checks, const Body& body, const char* key, double limit, double& value) {
+  const auto it = body.find(key);
+  if (it == body.end() || it->is_null()) return;
+  if (!it->is_number()) return checks.fail(key, it->dump(), "a number or null");
+  value = it->get<double>();
+  checks.within(key, value, limit);
+}
+
+void read_person(Checks& checks, const Body& body, std::uint32_t& id) {
+  const auto it = body.find("person_id");
+  const bool sound = it != body.end() && it->is_number_unsigned() && *it <= 0xffffffffu;
+  if (!sound) return checks.fail("person_id", it == body.end() ? "none" : it->dump(), "a number");
+  id = it->get<std::uint32_t>();
+}
+
+void read_fence(Checks& checks, const Body& body, FlightBounds& bounds) {
+  const auto it = body.find("fence_m");
+  if (it == body.end() || it->is_null()) return;
+  if (!it->is_array() || it->size() > FlightBounds::kMaxCorners)
+    return checks.fail("fence_m", "no list of that", "32 corners at most");
+  for (const Body& corner : *it) {
+    const bool is_pair =
+        corner.is_array() && corner.size() == 2 && corner[0].is_number() && corner[1].is_number();
+    if (!is_pair) return checks.fail("fence_m", corner.dump(), "corners [x, y]");
+    const auto& [x_m, y_m] = bounds.corners_enu_m[bounds.corner_count++] = {
+        corner[0].get<double>(), corner[1].get<double>()};
+    checks.within("fence_m", x_m, limits::kPosition_m);
+    checks.within("fence_m", y_m, limits::kPosition_m);
+  }
+}
+
+}  // namespace
+
+Converted<MissionCommand> read_order(const Body& body) {
+  Checks checks;
+  MissionCommand command;
+  const auto order = order_named(body);
+  if (!order)
+    checks.fail("command", "no such thing",
+                "start, hold, resume, return, land, stop, take_off, follow, framing or bounds");
+  command.order = order.value_or(MissionOrder::kStop);
+  if (order == MissionOrder::kFollow) read_person(checks, body, command.person_id);
+  if (order == MissionOrder::kSetFraming) {
+    Framing& framing = command.framing;
+    read_number(checks, body, "distance_m", limits::kPosition_m, framing.distance_m);
+    read_number(checks, body, "height_m", limits::kPosition_m, framing.height_m);
+    read_number(checks, body, "bearing_rad", limits::kAngle_rad, framing.bearing_rad);
+    read_number(checks, body, "circling_radps", limits::kRate_rad_s, framing.circling_rad_s);
+  }
+  if (order == MissionOrder::kSetBounds) {
+    FlightBounds& bounds = command.bounds;
+    read_fence(checks, body, bounds);
+    read_number(checks, body, "altitude_min_m", limits::kPosition_m, bounds.altitude_min_m);
+    read_number(checks, body, "altitude_max_m", limits::kPosition_m, bounds.altitude_max_m);
+  }
+  return checks.result(command);
+}
+
+}  // namespace foretrack::station
