@@ -53,7 +53,7 @@ struct VehicleStory {
   double seen_s = 0.0;     // in which the person was tracked
   Spread distance_m;       // to the person, horizontally, while they were tracked
   Spread speed_m_s, altitude_m;
-  Spread others_m;         // to anybody else who was known, horizontally, middle to middle
+  Spread others_m;  // to anybody else who was known, horizontally, middle to middle
   std::optional<double> battery_begin, battery_end;  // of a full one
   std::vector<StoryPoint> track, person;             // a point each quarter of a metre
   std::vector<StoryLoss> losses;

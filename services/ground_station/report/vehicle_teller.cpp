@@ -14,14 +14,14 @@
 namespace foretrack::station {
 namespace {
 
-using Kind = StoryEvent::Kind;
+using EventKind = StoryEvent::Kind;
 namespace msg = foretrack_msgs::msg;
-namespace safety = foretrack_msgs::msg::SafetyState_Constants;
-namespace target = foretrack_msgs::msg::TargetState_Constants;
+namespace gate_words = foretrack_msgs::msg::SafetyState_Constants;
+namespace track_words = foretrack_msgs::msg::TargetState_Constants;
 
-constexpr double kStep_m = 0.25;       // of a track
-constexpr double kGap_s = 1.0;         // longer silences are no time of flight
-constexpr double kJump_m = 20.0;       // no vehicle goes so far from one sample to the next
+constexpr double kStep_m = 0.25;  // of a track
+constexpr double kGap_s = 1.0;    // longer silences are no time of flight
+constexpr double kJump_m = 20.0;  // no vehicle goes so far from one sample to the next
 constexpr std::size_t kMostPictureBytes = 2u << 20;
 constexpr std::size_t kMostPictures = 24;
 constexpr std::size_t kMostEvents = 2000;
@@ -48,8 +48,22 @@ bool is_jpeg(const std::vector<std::uint8_t>& bytes) {
          bytes[1] == 0xD8;
 }
 
+std::string_view order_word(std::uint8_t command) {
+  constexpr auto kLast = static_cast<std::uint8_t>(MissionOrder::kSetFraming);
+  return command <= kLast ? to_string(static_cast<MissionOrder>(command)) : "an unknown order";
+}
+
+bool is_about_lease_only(std::uint8_t command) {
+  return command == static_cast<std::uint8_t>(MissionOrder::kLease) ||
+         command == static_cast<std::uint8_t>(MissionOrder::kRelease);
+}
+
+std::string name_of(std::string who) {
+  return who.empty() ? "somebody" : who;
+}
+
 bool is_bad_mode(std::uint8_t mode) {
-  return mode == safety::MODE_BRAKE || mode == safety::MODE_SILENT;
+  return mode == gate_words::MODE_BRAKE || mode == gate_words::MODE_SILENT;
 }
 
 }  // namespace
@@ -61,7 +75,7 @@ void Spread::add(double value) {
   most = std::max(most, value);
 }
 
-void VehicleTeller::note(double time_s, Kind kind, bool bad, std::string text) {
+void VehicleTeller::note(double time_s, EventKind kind, bool bad, std::string text) {
   if (story_.events.size() < kMostEvents)
     story_.events.push_back({time_s, kind, bad, std::move(text)});
 }
@@ -83,17 +97,17 @@ void VehicleTeller::take(double time_s, const nav_msgs::msg::Odometry& message) 
 
 void VehicleTeller::take(double time_s, const msg::TargetState& message) {
   const auto& p = message.position_m();
-  if (message.status() == target::STATUS_NONE || !are_finite(p[0], p[1], p[2])) return;
+  if (message.status() == track_words::STATUS_NONE || !are_finite(p[0], p[1], p[2])) return;
   const StoryPoint point{time_s, p[0], p[1], p[2]};
   const double elapsed_s = time_s - std::exchange(person_time_s_, time_s);
-  if (message.status() == target::STATUS_TRACKING) {
+  if (message.status() == track_words::STATUS_TRACKING) {
     if (elapsed_s < kGap_s) story_.seen_s += elapsed_s;
     if (lost_) find(time_s);
     person_ = point;
     seen_before_s_ = time_s;
     extend(story_.person, point);
     if (place_) story_.distance_m.add(horizontal_m(*place_, point));
-  } else if (message.status() == target::STATUS_LOST && !lost_ && seen_before_s_) {
+  } else if (message.status() == track_words::STATUS_LOST && !lost_ && seen_before_s_) {
     lose(time_s);
   }
 }
@@ -105,14 +119,14 @@ void VehicleTeller::lose(double time_s) {
   loss.where = person_;
   if (story_.losses.size() < kMostPictures) loss.picture = picture_;
   story_.losses.push_back(std::move(loss));
-  note(time_s, Kind::kPerson, true, "the person is lost");
+  note(time_s, EventKind::kPerson, true, "the person is lost");
 }
 
 void VehicleTeller::find(double time_s) {
   lost_ = false;
   story_.losses.back().to_s = time_s;
   wants_found_ = story_.losses.size() <= kMostPictures;
-  note(time_s, Kind::kPerson, false, "the person is seen again");
+  note(time_s, EventKind::kPerson, false, "the person is seen again");
 }
 
 void VehicleTeller::take(double time_s, const sensor_msgs::msg::CompressedImage& message) {
@@ -137,7 +151,7 @@ void VehicleTeller::take(double time_s, const msg::SafetyState& message) {
   now.holder = message.lease_operator().c_str();
   const double elapsed_s = gate_ ? time_s - gate_->time_s : 0.0;
   if (elapsed_s < kGap_s && now.armed) story_.armed_s += elapsed_s;
-  if (elapsed_s < kGap_s && now.armed && now.mode == safety::MODE_TRACK)
+  if (elapsed_s < kGap_s && now.armed && now.mode == gate_words::MODE_TRACK)
     story_.tracked_s += elapsed_s;
   compare(now, message);
   gate_ = std::move(now);
@@ -145,52 +159,47 @@ void VehicleTeller::take(double time_s, const msg::SafetyState& message) {
 
 void VehicleTeller::compare(const Gate& now, const msg::SafetyState& message) {
   const Gate before = gate_.value_or(Gate{.mode = 255, .phase = 255});
-  const auto tell = [&](Kind kind, bool bad, std::string text) {
+  const auto tell = [&](EventKind kind, bool bad, std::string text) {
     note(now.time_s, kind, bad, std::move(text));
   };
-  if (now.phase != before.phase && now.phase <= safety::PHASE_TAKING_OFF)
-    tell(Kind::kMission, false,
+  if (now.phase != before.phase && now.phase <= gate_words::PHASE_TAKING_OFF)
+    tell(EventKind::kMission, false,
          fmt::format("mission: {}", to_string(static_cast<MissionPhase>(now.phase))));
-  if ((now.mode != before.mode || now.reason != before.reason) && now.mode <= safety::MODE_SILENT &&
-      now.reason <= safety::REASON_IMAGES) {
+  if ((now.mode != before.mode || now.reason != before.reason) &&
+      now.mode <= gate_words::MODE_SILENT && now.reason <= gate_words::REASON_IMAGES) {
     const auto why = to_string(static_cast<SafetyReason>(now.reason));
-    tell(Kind::kMode, is_bad_mode(now.mode) && now.armed,
+    tell(EventKind::kMode, is_bad_mode(now.mode) && now.armed,
          fmt::format("gate: {}{}{}", to_string(static_cast<SafetyMode>(now.mode)),
                      now.reason == 0 ? "" : ", ", now.reason == 0 ? "" : why));
   }
-  if (now.armed != before.armed) tell(Kind::kMission, false, now.armed ? "armed" : "disarmed");
-  if (now.end != before.end && now.end > 0 && now.end <= safety::END_LINK)
-    tell(Kind::kMission, now.end != safety::END_DONE,
+  if (now.armed != before.armed) tell(EventKind::kMission, false, now.armed ? "armed" : "disarmed");
+  if (now.end != before.end && now.end > 0 && now.end <= gate_words::END_LINK)
+    tell(EventKind::kMission, now.end != gate_words::END_DONE,
          fmt::format("mission over: {}", to_string(static_cast<MissionEnd>(now.end))));
-  if (now.alarm != before.alarm && !now.alarm.empty()) tell(Kind::kAlarm, true, now.alarm);
+  if (now.alarm != before.alarm && !now.alarm.empty()) tell(EventKind::kAlarm, true, now.alarm);
   if (now.holder != before.holder)
-    tell(Kind::kOrder, false,
+    tell(EventKind::kOrder, false,
          now.holder.empty() ? before.holder + " gave up control" : now.holder + " has control");
   tell_order(now, message);
 }
 
 void VehicleTeller::tell_order(const Gate& now, const msg::SafetyState& message) {
-  const bool is_news =
-      !gate_ || now.command_id != gate_->command_id || now.result != gate_->result;
-  if (!is_news || now.command_id == 0 || now.result == safety::RESULT_PENDING) return;
-  if (now.result > safety::RESULT_REFUSED_FRAMING) return;
-  const auto order = static_cast<MissionOrder>(message.command());
+  const bool is_news = !gate_ || now.command_id != gate_->command_id || now.result != gate_->result;
+  if (!is_news || now.command_id == 0 || now.result == gate_words::RESULT_PENDING) return;
+  if (now.result > gate_words::RESULT_REFUSED_FRAMING) return;
   const auto result = static_cast<MissionResult>(now.result);
   const bool taken = is_accepted(result);
-  const bool about_lease = order == MissionOrder::kLease || order == MissionOrder::kRelease;
-  if (about_lease && taken) return;
-  const std::string who = message.operator_id().c_str();
-  note(now.time_s, Kind::kOrder, !taken,
-       fmt::format("{} of {}: {}", to_string(order), who.empty() ? "somebody" : who,
-                   to_string(result)));
+  if (is_about_lease_only(message.command()) && taken) return;
+  note(now.time_s, EventKind::kOrder, !taken,
+       fmt::format("{} of {}: {}", order_word(message.command()),
+                   name_of(message.operator_id().c_str()), to_string(result)));
 }
 
 void VehicleTeller::take(double time_s, const msg::MissionCommand& message) {
-  const auto order = static_cast<MissionOrder>(message.command());
-  if (order == MissionOrder::kLease || order == MissionOrder::kRelease) return;
-  const std::string who = message.operator_id().c_str();
-  note(time_s, Kind::kOrder, false,
-       fmt::format("{} orders: {}", who.empty() ? "somebody" : who, to_string(order)));
+  if (is_about_lease_only(message.command())) return;
+  note(time_s, EventKind::kOrder, false,
+       fmt::format("{} orders: {}", name_of(message.operator_id().c_str()),
+                   order_word(message.command())));
 }
 
 void VehicleTeller::take(double time_s, const msg::ServiceHealth& message) {
@@ -200,7 +209,7 @@ void VehicleTeller::take(double time_s, const msg::ServiceHealth& message) {
   auto& before = troubles_[service];
   if (trouble == before) return;
   before = trouble;
-  note(time_s, Kind::kService, !well, service + (well ? ": well again" : ": " + trouble));
+  note(time_s, EventKind::kService, !well, service + (well ? ": well again" : ": " + trouble));
 }
 
 void VehicleTeller::take(double, const msg::MovingBodies& message) {

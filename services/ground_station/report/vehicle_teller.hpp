@@ -53,14 +53,13 @@ class VehicleTeller {
 
   VehicleStory story_;
   std::optional<Gate> gate_;
-  std::optional<StoryPoint> place_;       // of the vehicle, the last
-  std::optional<StoryPoint> person_;      // the last that was measured
-  std::optional<double> seen_before_s_;   // the last state in which the person was tracked
+  std::optional<StoryPoint> place_;      // of the vehicle, the last
+  std::optional<StoryPoint> person_;     // the last that was measured
+  std::optional<double> seen_before_s_;  // the last state in which the person was tracked
   double person_time_s_ = 0.0;
   bool lost_ = false;
   std::map<std::string, std::string> troubles_;  // by service
   std::vector<std::uint8_t> picture_;
-  double picture_s_ = 0.0;
   bool wants_found_ = false;  // the next picture is of who was found again
 };
 

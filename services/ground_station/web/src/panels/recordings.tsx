@@ -5,8 +5,10 @@ import { useEffect, useState } from "preact/hooks";
 import type { Recording } from "../data/station.ts";
 import { bytes } from "../ui/format.ts";
 import { openRecording } from "../ui/open_recording.ts";
+import { openReport } from "../ui/open_report.ts";
 import { record } from "../ui/orders.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 
 function useRecordings(session: Session): { list: Recording[]; problem: string } {
   const [list, setList] = useState<Recording[]>([]);
@@ -48,7 +50,8 @@ export function RecordingsPanel({ session }: { session: Session }) {
           <tr key={r.file}>
             <td>{r.file}</td>
             <td class="n">{bytes(r.bytes)}</td>
-            <td><button onClick={() => void openRecording(session, r.file)}>Replay</button>
+            <td><button onClick={() => void openRecording(session, r.file)}>{t("Replay")}</button>
+              {" "}<button onClick={() => void openReport(session, r.file)}>{t("Report")}</button>
               {" "}<a href={`recordings/${encodeURIComponent(r.file)}`} download>Download</a></td>
           </tr>
         ))}
