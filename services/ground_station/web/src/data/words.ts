@@ -116,7 +116,7 @@ export function outcome(result: string, reason: string): string {
   return !reason || reason.startsWith(result) ? reason || result : `${result}: ${reason}`;
 }
 
-export const severalPeople = "several people could be the one who is followed";
+export const severalPeople = said("several people could be the one who is followed");
 
 /** Perception's doubt, in its own words. */
 export function saysSeveralPeople(health: { state: number; last_error: string }): boolean {

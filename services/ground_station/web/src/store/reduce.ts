@@ -6,6 +6,7 @@ import type { DiagnosticArray, ServiceHealth, TransformMessage } from "../data/m
 import type { Sample } from "../data/sample.ts";
 import type { StationStatus } from "../data/station.ts";
 import { ownerOf } from "../data/topics.ts";
+import { t } from "../ui/words.ts";
 import { acknowledge, note } from "./alarms.ts";
 import { folders } from "./fold_vehicle.ts";
 import { makeVehicle, type State, type Vehicle } from "./state.ts";
@@ -45,7 +46,8 @@ export function reduce(state: State, input: Input): State {
 function foldLink(state: State, open: boolean, reason: string): void {
   if (state.link.open !== open)
     note(state, "", open ? "info" : "alarm",
-      open ? "connected to the station" : `no connection to the station: ${reason}`);
+      open ? t("connected to the station")
+        : t("no connection to the station: {why}", { why: reason }));
   state.link = { open, reason, since_s: state.now_s };
 }
 
@@ -89,7 +91,7 @@ function vehicleOf(state: State, sample: Sample): Vehicle | undefined {
   if (!vehicle) {
     vehicle = makeVehicle(sample.vehicle, names.length);
     state.vehicles.set(sample.vehicle, vehicle);
-    note(state, sample.vehicle, "info", "first heard of", sample.time_s);
+    note(state, sample.vehicle, "info", t("first heard of"), sample.time_s);
   }
   return vehicle;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's words in other languages. In the sources they stand in English, as t("…"); a language
+// The page's words in other languages. In the sources they stand in English, in calls of t(); a language
 // is a file words/<code>.json from those to its own. A text that is missing there stays English.
 
 export type Words = Record<string, string>;
