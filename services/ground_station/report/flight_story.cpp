@@ -107,6 +107,13 @@ class Reading {
 
 }  // namespace
 
+void Spread::add(double value) {
+  ++count;
+  sum += value;
+  least = std::min(least, value);
+  most = std::max(most, value);
+}
+
 FlightStory read_story(const std::filesystem::path& file) {
   FlightStory story = Reading(file).read();
   if (story.end_s == 0.0)

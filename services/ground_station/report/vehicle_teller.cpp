@@ -68,13 +68,6 @@ bool is_bad_mode(std::uint8_t mode) {
 
 }  // namespace
 
-void Spread::add(double value) {
-  ++count;
-  sum += value;
-  least = std::min(least, value);
-  most = std::max(most, value);
-}
-
 void VehicleTeller::note(double time_s, EventKind kind, bool bad, std::string text) {
   if (story_.events.size() < kMostEvents)
     story_.events.push_back({time_s, kind, bad, std::move(text)});

@@ -5,6 +5,7 @@ import { batteryWord, Choice, explainPlan, Mode, PlanState, serviceWord, Service
 } from "../data/words.ts";
 import { age_s, type State, type Vehicle } from "../store/state.ts";
 import { gone_s, silent_s, stale_s } from "../store/watch.ts";
+import { toldBy } from "../store/derive.ts";
 import { said, t } from "../ui/words.ts";
 
 /** red: it must not fly so. note: worth knowing. */
@@ -120,17 +121,16 @@ function checkBounds({ bounds }: Vehicle): Check {
 /** Reactions of the gate that its diagnostic tells, by the names of its parameters. */
 export function reactions(state: State, vehicle: Vehicle): [string, string][] {
   const words = [t("nothing"), t("it holds"), t("it returns"), t("it lands")];
-  const rows = [...state.diagnostics.values()].map((d) => d.message)
-    .find((m) => m.hardware_id === vehicle.name && m.values.some((v) => v.key === "link_reaction"));
-  const of = (key: string): string => {
-    const value = Number(rows?.values.find((v) => v.key === key)?.value ?? NaN);
-    return words[value] ?? t("as its parameter {key} says", { key });
-  };
+  const told = (key: string): number => toldBy(state, vehicle, key);
+  const of = (key: string): string =>
+    words[told(key)] ?? t("as its parameter {key} says", { key });
+  const link = told("link_timeout_s") === 0 ? words[0]! : of("link_reaction");
+  const battery = told("battery_reserve") === 0 ? words[0]! : of("battery_reaction");
   return [
     [t("the person is lost"), t("it searches, and then hovers")],
     [t("plans cease"), t("it stops, hovers, and then hands over to the autopilot's failsafe")],
-    [t("the station is not heard"), of("link_reaction")],
-    [t("the battery is at its reserve"), of("battery_reaction")],
+    [t("the station is not heard"), link],
+    [t("the battery is at its reserve"), battery],
     [t("outside of the fence"), of("fence_reaction")],
     [t("outside of the altitudes"), of("altitude_reaction")],
   ];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // From where the person is to be seen: what can be set, what is set, and how it is said.
 import type { TargetFraming } from "../data/messages.ts";
+import { toldBy } from "../store/derive.ts";
+import type { State, Vehicle } from "../store/state.ts";
 import { said, t } from "../ui/words.ts";
 
 /** As it is ordered. null: as the parameters have it; of the bearing: free. */
@@ -11,9 +13,28 @@ export interface Framing {
   circling_radps: number;
 }
 
-/** The safety gate refuses what is beyond. */
-export const limits = { distance_m: [1.5, 10], height_m: [-0.5, 5], circling_radps: [-0.5, 0.5],
-} as const;
+export type Range = readonly [number, number];
+export interface Limits { distance_m: Range; height_m: Range; circling_radps: Range }
+
+/** The safety gate refuses what is beyond; as its parameters are, unless it tells them. */
+export const limits: Limits =
+  { distance_m: [1.5, 10], height_m: [-0.5, 5], circling_radps: [-0.5, 0.5] };
+
+export function limitsOf(state: State, vehicle: Vehicle | undefined): Limits {
+  const told = (key: string, otherwise: number): number => {
+    const value = vehicle ? toldBy(state, vehicle, key) : NaN;
+    return Number.isFinite(value) ? value : otherwise;
+  };
+  const { distance_m, height_m, circling_radps } = limits;
+  const most = told("framing_circling_max_rad_s", circling_radps[1]);
+  return {
+    distance_m: [told("framing_distance_min_m", distance_m[0]),
+      told("framing_distance_max_m", distance_m[1])],
+    height_m: [told("framing_height_min_m", height_m[0]),
+      told("framing_height_max_m", height_m[1])],
+    circling_radps: [-most, most],
+  };
+}
 
 export const free: Framing =
   { distance_m: null, height_m: null, bearing_rad: null, circling_radps: 0 };

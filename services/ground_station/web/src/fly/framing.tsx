@@ -6,7 +6,7 @@ import { obstacle } from "../panels/commands.tsx";
 import { order } from "../ui/orders.ts";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
-import { type Framing, framingOf, framingText, free, limits, presets, same, sideOf, sides,
+import { type Framing, framingOf, framingText, free, limitsOf, presets, same, sideOf, sides,
 } from "./framing.ts";
 
 interface SliderProps {
@@ -60,6 +60,7 @@ export function FramingPanel({ session }: { session: Session }) {
   const [draft, setDraft] = useState<Framing | null>(null); // while it is moved, or not answered
   const why = session.replay ? t("a recording is shown") : obstacle(session);
   const state = session.liveState.vehicles.get(session.commanded);
+  const limits = limitsOf(session.liveState, state);
   const message = state?.latest["safety/state"]?.message.framing;
   const isSet = message ? framingOf(message) : null;
   const shown = draft ?? isSet ?? free;

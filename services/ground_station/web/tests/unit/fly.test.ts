@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { contains, type Corner, faultOf, mapAround, toMetres, toPixel } from "../../src/fly/fence.ts";
-import { framingOf, framingText, free, presets, limits, same, sideOf } from "../../src/fly/framing.ts";
+import { framingOf, framingText, free, limitsOf, presets, limits, same, sideOf } from "../../src/fly/framing.ts";
 import { checklist, isReady, reactions } from "../../src/fly/checklist.ts";
 import { reduce } from "../../src/store/reduce.ts";
 import { diagnosticsOf, missionCommand, safety, samplesAt } from "../synthetic.mjs";
@@ -96,8 +96,10 @@ test("what the gate does when something fails is what its own diagnostic tells",
   assert.equal(of(), "as its parameter battery_reaction says");
   const message = diagnosticsOf(4, "uav1", [1, 2]);
   message.status[0]!.values.push({ key: "link_reaction", value: "1" },
-    { key: "battery_reaction", value: "2" });
+    { key: "battery_reaction", value: "2" },
+    { key: "framing_distance_max_m", value: "6" });
   fold([{ kind: "sample", sample: { topic: "/diagnostics", vehicle: "", name: "diagnostics",
     type: "T", time_s: 4, bytes: 1, message } }], state);
   assert.equal(of(), "it returns");
+  assert.deepEqual(limitsOf(state, vehicle).distance_m, [1.5, 6]);
 });
