@@ -45,6 +45,8 @@ class StandIn {
     this.http.listen(port, "127.0.0.1");
     this.begin_ms = Date.now();
     this.step = 0;
+    for (const name of this.names)
+      this.channel(`/${name}/mission/command`, typeOf("mission/command"));
     this.timer = setInterval(() => this.advance(), 10);
     this.reporter = setInterval(() => this.report(), 500);
   }

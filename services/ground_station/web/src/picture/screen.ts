@@ -28,6 +28,7 @@ export class PictureScreen {
   private overlay: Overlay | null = null;
   private decoding = false;
   private taken: CompressedImage | null = null; // the last that was decoded, or is
+  private looked_s = -1; // stamp of the bodies that are drawn
   private request = 0;
   private pictures = 0;
 
@@ -96,6 +97,8 @@ export class PictureScreen {
     const { vehicle } = this.session;
     const image = vehicle?.latest["camera/ground/image/compressed"]?.message;
     if (this.shown && this.stamp_s === null) this.clear();
+    // What was seen in a picture comes a moment after it.
+    if (this.shown && vehicle?.looks.newest?.stamp_s !== this.looked_s) this.lay();
     if (!vehicle || !image || image === this.taken || this.decoding) return;
     if (this.host.clientWidth === 0) return; // nobody sees it
     this.taken = image;
@@ -120,11 +123,18 @@ export class PictureScreen {
     }
   }
 
-  private renew(): void {
+  private lay(): void {
     const { vehicle, state } = this.session;
     if (!vehicle || !this.shown || this.stamp_s === null) return;
+    this.looked_s = vehicle.looks.newest?.stamp_s ?? -1;
     this.overlay = overlayOf(state, vehicle, this.shown.image, this.shown.bitmap);
     this.paint();
+  }
+
+  private renew(): void {
+    const { vehicle } = this.session;
+    if (!vehicle || !this.shown || this.stamp_s === null) return;
+    this.lay();
     this.host.dataset["pictures"] = `${++this.pictures}`;
     this.host.dataset["lag"] =
       (1e3 * pictureAge_s(this.session.now_s, vehicle, this.stamp_s)).toFixed(0);
