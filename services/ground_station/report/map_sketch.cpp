@@ -8,7 +8,8 @@
 namespace foretrack::station {
 namespace {
 
-constexpr double kWidth_px = 640.0, kHeight_px = 420.0, kMargin_px = 24.0;
+constexpr double kWidth_px = 640.0, kMargin_px = 30.0;
+constexpr double kLeastHeight_px = 160.0, kMostHeight_px = 480.0;
 constexpr double kLeast_m = 8.0;  // across
 constexpr double kMostFar_m = 1e5;
 constexpr std::size_t kMostPoints = 2000;
@@ -17,6 +18,7 @@ constexpr std::size_t kMostPoints = 2000;
 struct Place {
   double west_m = 1e18, east_m = -1e18, south_m = 1e18, north_m = -1e18;
   double scale = 1.0;  // pixels to a metre
+  double height_px = kLeastHeight_px;
 
   void add(const StoryPoint& p) {
     west_m = std::min(west_m, p.x_m);
@@ -28,13 +30,15 @@ struct Place {
   void fit() {
     const double wide_m = std::max(kLeast_m, east_m - west_m);
     const double high_m = std::max(kLeast_m, north_m - south_m);
-    scale = std::min((kWidth_px - 2 * kMargin_px) / wide_m, (kHeight_px - 2 * kMargin_px) / high_m);
+    scale =
+        std::min((kWidth_px - 2 * kMargin_px) / wide_m, (kMostHeight_px - 2 * kMargin_px) / high_m);
+    height_px = std::max(kLeastHeight_px, scale * (north_m - south_m) + 2 * kMargin_px);
   }
   double x(const StoryPoint& p) const {
     return kWidth_px / 2 + scale * (p.x_m - (west_m + east_m) / 2);
   }
   double y(const StoryPoint& p) const {
-    return kHeight_px / 2 - scale * (p.y_m - (south_m + north_m) / 2);
+    return height_px / 2 - scale * (p.y_m - (south_m + north_m) / 2);
   }
 };
 
@@ -69,9 +73,10 @@ std::string map_sketch(const VehicleStory& vehicle) {
   if (!place.is_drawn()) return {};
   place.fit();
   std::string svg = fmt::format(
-      "<svg class=\"map\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"ways from above, north "
+      "<svg class=\"map\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"ways from above, "
+      "north "
       "up\">\n",
-      kWidth_px, kHeight_px);
+      kWidth_px, place.height_px);
   svg += line(place, vehicle.person, "person") + line(place, vehicle.track, "vehicle");
   if (!vehicle.track.empty()) {
     svg += mark(place, vehicle.track.front(), "begin", "begin");
@@ -82,9 +87,9 @@ std::string map_sketch(const VehicleStory& vehicle) {
       svg += mark(place, *vehicle.losses[i].where, "loss", fmt::format("lost {}", i + 1));
   const double ruler = ruler_m(place.scale);
   svg += fmt::format(
-      "<path class=\"ruler\" d=\"M12 {}h{:.1f}\"/><text x=\"12\" y=\"{}\">{:g} m</text>"
+      "<path class=\"ruler\" d=\"M12 {:.1f}h{:.1f}\"/><text x=\"12\" y=\"{:.1f}\">{:g} m</text>"
       "<text x=\"{}\" y=\"20\">N ↑</text></svg>\n",
-      kHeight_px - 12, ruler * place.scale, kHeight_px - 18, ruler, kWidth_px - 36);
+      place.height_px - 12, ruler * place.scale, place.height_px - 18, ruler, kWidth_px - 36);
   return svg;
 }
 

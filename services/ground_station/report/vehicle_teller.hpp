@@ -43,7 +43,7 @@ class VehicleTeller {
     bool armed = false;
     std::uint64_t command_id = 0;
     std::uint8_t result = 0;
-    std::string alarm, holder;
+    std::string alarm = {}, holder = {};
   };
   void note(double time_s, StoryEvent::Kind kind, bool bad, std::string text);
   void compare(const Gate& now, const Safety& message);

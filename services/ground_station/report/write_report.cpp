@@ -19,7 +19,7 @@ body{font:14px/1.45 system-ui,sans-serif;color:#14202b;max-width:980px;margin:24
 h1{font-size:22px}h2{font-size:18px;margin-top:28px;border-bottom:1px solid #c9d3dc}h3{font-size:15px}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px}dt{color:#51626f}dd{margin:0}
 table{border-collapse:collapse;width:100%;font-size:13px}td,th{padding:2px 10px 2px 0;text-align:left;
-vertical-align:top;border-top:1px solid #e3e9ee}td:first-child{white-space:nowrap}
+vertical-align:top;border-top:1px solid #e3e9ee}td:first-child,td:nth-child(2){white-space:nowrap}td:last-child{width:100%}
 .bad{color:#a3320b;font-weight:600}.none{color:#51626f}.loss{display:flex;gap:14px;flex-wrap:wrap}
 figure{margin:0}img{max-width:440px;width:100%;border:1px solid #c9d3dc}figcaption{font-size:12px}
 .map{width:100%;border:1px solid #c9d3dc;background:#f7f9fb}.map text{font-size:12px;fill:#14202b}
@@ -61,7 +61,8 @@ std::string utc(double time_s, const char* format) {
 }
 
 std::string clock_time(double time_s) {
-  return utc(time_s, "{:%H:%M:%S}") + fmt::format(".{}", static_cast<int>(time_s * 10) % 10);
+  return utc(time_s, "{:%H:%M:%S}") +
+         fmt::format(".{}", static_cast<int>(10.0 * (time_s - std::floor(time_s))));
 }
 
 std::string span_text(double span_s) {

@@ -68,7 +68,7 @@ VehicleStory walk() {
     teller.take(time_s, person(t + 2.0, !hidden ? 1 : t < 12.0 ? 2 : 3));
     teller.take(time_s, gate(hidden ? 2 : 0, 1));
     sensor_msgs::msg::CompressedImage image;
-    const auto jpeg = picture(t > 14.0 ? 32 : t > 10.3 ? 24 : 16);
+    const auto jpeg = picture(t > 13.95 ? 32 : t > 10.35 ? 24 : 16);
     image.data().assign(jpeg.begin(), jpeg.end());
     teller.take(time_s, image);
   }
