@@ -136,7 +136,7 @@ test("a framing is taken, and one that is not safe is refused with what to do", 
       bearing_rad: null, circling_radps: 0 });
   }) as { ok: boolean; reason: string };
   assert.equal(said.ok, false);
-  assert.match(said.reason, /refused: not safe/);
+  assert.match(said.reason, /refused: this framing is out of its safe ranges/);
 });
 
 test("the station stays small", async (t) => {
