@@ -74,6 +74,13 @@ Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose&
   return j;
 }
 
+void begin_anew(PoseState& state) {
+  PoseState fresh;
+  fresh.first = state.first;
+  fresh.follows = state.follows;
+  state = std::move(fresh);
+}
+
 void take(PoseState& state, const PersonPose& pose, const Judgement& j, double stamp_s,
           bool doubtful) {
   if (!state.chosen.known()) state.chosen.wears.reset();
@@ -217,8 +224,7 @@ PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_
   PoseResult result;
   if (!is_picture(image)) return result;
   state.passed_over.clear();
-  if (stamp_s < std::max(state.chosen.seen_s, state.looked_s))
-    state = PoseState{.first = state.first, .follows = state.follows};
+  if (stamp_s < std::max(state.chosen.seen_s, state.looked_s)) begin_anew(state);
   if (!state.follows) {
     forget(state);
     state.chosen = {};

@@ -2,6 +2,7 @@
 #include "core/tracker/tracker.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/tracker/follow_people.hpp"
 

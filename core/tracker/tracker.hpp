@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "core/bodies/bodies_around.hpp"
 #include "core/choice/choose.hpp"

@@ -59,7 +59,7 @@ class PerceptionOnDds : public ::testing::Test {
   Writer<topics::TargetObservation> observation_{neighbours_.node()};
   Reader<topics::TargetState> target_{neighbours_.node()};
   Running service_{[](const ServiceOptions& options, Stop& stop) {
-    run_perception(options, PerceptionParams{}, BodyParams{}, stop);
+    run_perception(options, PerceptionParams{}, BodyParams{}, ChoiceParams{}, stop);
   }};
   TargetState newest_;
   int heard_ = 0;
