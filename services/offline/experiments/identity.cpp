@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/common/random.hpp"
 #include "core/perception/appearance.hpp"

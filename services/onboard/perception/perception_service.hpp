@@ -13,6 +13,7 @@
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "foretrack_msgs/msg/TargetPrediction.h"
 #include "foretrack_msgs/msg/TargetState.h"
+#include "services/convert/safety.hpp"
 #include "services/onboard/inputs.hpp"
 #include "services/onboard/perception/choice_teller.hpp"
 #include "services/onboard/perception/image_input.hpp"
