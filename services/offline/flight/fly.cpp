@@ -103,7 +103,8 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
   if (scenario.color_images)
     eye.emplace(load_pose_network(find_share("models"),
                                   static_cast<PoseModel>(params.perception.model_complexity)),
-                params.perception, scenario.landmark_camera.delay_s);
+                params.perception, static_cast<FirstChoice>(params.choice.start),
+                scenario.landmark_camera.delay_s);
   FlightRow last;
   SteadyOperator steady_operator(scenario);
   const Pilot pilot = [&](PilotStep s) {
@@ -118,12 +119,15 @@ FlightResult fly(const Scenario& scenario, const TrackerParams& params,
             eye ? eye->look(s.simulator, tracker.perception, tracker.vehicles) : nullptr) {
       if (seen->found) input.observation = &seen->observation;
       input.torso_depth_m = seen->torso_depth_m;
+      input.wears = seen->wears;
       input.sightings = &seen->others.sightings;
       input.looks = seen->others.looks;
     }
     input.command = steady_operator.order(s.simulator.now_s);
     const double begin_ms = cpu_ms();  // other flights run beside this one
     const TrackerOutput out = step(tracker, input, params);
+    if (eye && out.choice.take_over)
+      *out.choice.take_over == 0 ? eye->follow_nobody() : eye->follow(tracker.choice.wears);
     if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);
     if (watch) watch(out);
     s.command = input_of(out.gate);

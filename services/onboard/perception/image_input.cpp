@@ -97,8 +97,9 @@ void ImageInput::look(const std::string& frame_id, double stamp_s) {
       expected_place(track_, vehicle_.history(), camera_->camera, stamp_s, params_);
   PoseResult result = perceive_image(pose_, rgb_, stamp_s, *network_, params_, expected);
   if (result.ambiguous) ambiguous_s_ = stamp_s;
+  image_s_ = stamp_s;
   place(frame_id, stamp_s);  // once more: a joint's transform of this time may have come meanwhile
-  Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN()};
+  Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN(), result.wears};
   if (result.found()) {
     undistort(result.person, camera_->camera, camera_->lens);
     observation_ = to_observation(result.person, stamp_s, camera_->camera, params_);

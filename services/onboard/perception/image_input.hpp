@@ -29,7 +29,8 @@ class ImageInput {
   struct Seen {
     double stamp_s = 0.0;
     const TargetObservation* observation = nullptr;
-    double torso_depth_m = 0.0;  // NaN: not measured
+    double torso_depth_m = 0.0;            // NaN: not measured
+    std::optional<Appearance> wears = {};  // the person; none: not seen
   };
   using OnSeen = std::function<void(const Seen&)>;
   using OnPeople = std::function<void(const PeopleSeen&)>;
@@ -49,6 +50,14 @@ class ImageInput {
   void update() { transforms_.update(); }
   /// Whether the images still show something, and why not.
   const CameraSight& sight() const { return sight_; }
+  /// Somebody else is followed from now on, who wears that; see follow_other().
+  void follow(const std::optional<Appearance>& wears) { follow_other(pose_, wears); }
+  void follow_nobody() { pose_.follows = false; }
+  /// Who is followed first where several are seen.
+  void start_with(FirstChoice first) { pose_.first = first; }
+  /// The last image that was looked at, and its stamp; null: there was none.
+  const RgbImage* image() const { return image_s_ < 0.0 ? nullptr : &rgb_; }
+  double image_s() const { return image_s_; }
   /// When several people could last have been the one who is followed; by the image's stamp.
   double ambiguous_s() const { return ambiguous_s_; }
 
@@ -88,6 +97,7 @@ class ImageInput {
   std::string trouble_;
   double next_load_s_ = -1e9;
   double ambiguous_s_ = -1e9;
+  double image_s_ = -1.0;
 };
 
 }  // namespace foretrack

@@ -63,7 +63,7 @@ class GroundStreamTest : public ::testing::Test {
 
 TEST_F(GroundStreamTest, PicturesKeepTheirImagesStampAndFrameAndComeAtTheRateThatIsSet) {
   Running service([](const ServiceOptions& options, Stop& stop) {
-    run_perception(options, {}, {}, {.width_px = 320, .rate_hz = 10.0}, stop);
+    run_perception(options, {}, {}, {}, {.width_px = 320, .rate_hz = 10.0}, stop);
   });
   int pictures = 0;
   double first_s = 0.0, last_s = 0.0;
@@ -92,7 +92,7 @@ TEST_F(GroundStreamTest, PicturesKeepTheirImagesStampAndFrameAndComeAtTheRateTha
 
 TEST_F(GroundStreamTest, NothingIsSentWhereItIsSwitchedOff) {
   Running service([](const ServiceOptions& options, Stop& stop) {
-    run_perception(options, {}, {}, {.enabled = false}, stop);
+    run_perception(options, {}, {}, {}, {.enabled = false}, stop);
   });
   const double end_s = neighbours_.now_s() + 1.5;
   neighbours_.until([&] { return neighbours_.now_s() > end_s; }, [&] { feed(); });
