@@ -25,6 +25,9 @@ class GroundStream {
   void offer(const RgbImage& image, const sensor_msgs::msg::CameraInfo& info, double stamp_s,
              const std::string& frame_id);
 
+  /// Call it now and then in between: what is encoded goes out.
+  void write_what_is_done();
+
  private:
   /// With the first image.
   struct Output {
@@ -33,7 +36,6 @@ class GroundStream {
     Writer<topics::GroundCameraInfo> info;
     PictureEncoder encoder;
   };
-  void write_what_is_done();
 
   Service& service_;
   StreamParams params_;

@@ -96,6 +96,7 @@ void ImageInput::look(const std::string& frame_id, double stamp_s) {
   const auto expected =
       expected_place(track_, vehicle_.history(), camera_->camera, stamp_s, params_);
   PoseResult result = perceive_image(pose_, rgb_, stamp_s, *network_, params_, expected);
+  ground_.write_what_is_done();  // encoded meanwhile
   if (result.ambiguous) ambiguous_s_ = stamp_s;
   image_s_ = stamp_s;
   place(frame_id, stamp_s);  // once more: a joint's transform of this time may have come meanwhile
