@@ -13,6 +13,7 @@ using Mat24 = Eigen::Matrix<double, 2, 4>;
 
 constexpr double kLeastVariance_m2 = 1e-4;  // so that a detector may call itself exact
 constexpr double kSizeLearnt = 0.2;         // of what is new in each sighting
+constexpr double kClothesLearnt = 0.2;      // the same, of its clothes
 constexpr double kBelieved_s = 0.2;         // for each sighting, after the last one
 constexpr double kMostHeight_m = 2.3;       // of what depth images put together
 
@@ -63,6 +64,16 @@ BodyTrack begin_track(const BodySighting& seen, double stamp_s, const BodyParams
   return track;
 }
 
+BodyTrack track_of(const TargetState& target) {
+  BodyTrack track;
+  track.stamp_s = target.stamp_s;
+  track.mean << target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>();
+  const auto& c = target.covariance;
+  track.covariance << c.topLeftCorner<2, 2>(), c.block<2, 2>(0, 3), c.block<2, 2>(3, 0),
+      c.block<2, 2>(3, 3);
+  return track;
+}
+
 void predict_track(BodyTrack& track, double stamp_s, const BodyParams& params) {
   const double dt = stamp_s - track.stamp_s;
   if (dt <= 0.0) return;
@@ -85,6 +96,14 @@ Match match(const BodyTrack& track, const BodySighting& seen, double stamp_s) {
 bool is_over(const BodyTrack& track, double now_s, const BodyParams& params) {
   const double by_hits_s = track.id == 0 ? params.birth_gap_s : kBelieved_s * track.hits;
   return now_s - track.seen_s > std::min(by_hits_s, params.coast_s);
+}
+
+void take_look(BodyTrack& track, const PersonLook& look) {
+  const std::optional<Appearance> wore = track.look.wears;
+  track.look = look;
+  if (!wore) return;
+  track.look.wears = wore;
+  if (look.wears) learn(*track.look.wears, *look.wears, kClothesLearnt);
 }
 
 void correct_track(BodyTrack& track, const BodySighting& seen, double stamp_s) {

@@ -32,6 +32,10 @@ struct BodyTrack {
 /// A track of what was seen once.
 BodyTrack begin_track(const BodySighting& seen, double stamp_s, const BodyParams& params);
 
+/// The followed person as a track, so that a sighting of them can be assigned to them: mean and
+/// covariance alone.
+BodyTrack track_of(const TargetState& target);
+
 /// On to a time; no change for one that is past. White acceleration as process noise.
 void predict_track(BodyTrack& track, double stamp_s, const BodyParams& params);
 
@@ -48,6 +52,9 @@ Match match(const BodyTrack& track, const BodySighting& seen, double stamp_s);
 
 /// Not seen for too long. Who was seen but a few times is not believed for long.
 bool is_over(const BodyTrack& track, double now_s, const BodyParams& params);
+
+/// What an image shows of it; its clothes are averaged over some looks.
+void take_look(BodyTrack& track, const PersonLook& look);
 
 /// The filter's correction; size and kind follow what is seen.
 void correct_track(BodyTrack& track, const BodySighting& seen, double stamp_s);

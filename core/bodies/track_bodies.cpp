@@ -14,17 +14,6 @@ constexpr double kBirthLearnt = 0.1;  // of where something stands that does not
 constexpr double kRestart_s = 1.0;    // time that goes back: a simulation was started anew
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// The followed person as a track, so that a sighting of them is assigned to them.
-BodyTrack track_of(const TargetState& target) {
-  BodyTrack track;
-  track.stamp_s = target.stamp_s;
-  track.mean << target.position_enu_m.head<2>(), target.velocity_enu_m_s.head<2>();
-  const auto& c = target.covariance;
-  track.covariance << c.topLeftCorner<2, 2>(), c.block<2, 2>(0, 3), c.block<2, 2>(3, 0),
-      c.block<2, 2>(3, 3);
-  return track;
-}
-
 double cost_of(const BodyTrack& track, const BodySighting& seen, double stamp_s,
                const BodyParams& params) {
   const Match m = match(track, seen, stamp_s);
@@ -100,10 +89,10 @@ void remove_tracks(BodiesState& state, Predicate&& over) {
 
 }  // namespace
 
-void track_bodies(BodiesState& state, const BodySightings& seen, const TargetState& target,
-                  const BodyParams& params, std::span<const PersonLook> looks) {
+int track_bodies(BodiesState& state, const BodySightings& seen, const TargetState& target,
+                 const BodyParams& params, std::span<const PersonLook> looks) {
   if (seen.stamp_s < state.newest_s - kRestart_s) state = {};
-  if (seen.stamp_s < state.newest_s - params.late_s) return;
+  if (seen.stamp_s < state.newest_s - params.late_s) return -1;
   state.newest_s = std::max(state.newest_s, seen.stamp_s);
   BodyTrack person;
   const BodyTrack* followed = nullptr;
@@ -114,20 +103,23 @@ void track_bodies(BodiesState& state, const BodySightings& seen, const TargetSta
   }
   for (int k = 0; k < state.count; ++k) predict_track(state.tracks[k], state.newest_s, params);
 
+  int of_followed = -1;
   const int tracked = state.count;
   const auto track_of_row = assign(problem_of(state, seen, followed, params));
   for (int i = 0; i < seen.count; ++i) {
     const PersonLook* look = looks.empty() ? nullptr : &looks[i];
     const int k = track_of_row[i];
     if (k < 0) begin(state, seen.bodies[i], look, followed, seen.stamp_s, params);
+    if (k == tracked) of_followed = i;
     if (k < 0 || k == tracked) continue;
     BodyTrack& track = state.tracks[k];
     correct_track(track, seen.bodies[i], seen.stamp_s);
-    if (look && look->known()) track.look = *look;
+    if (look && look->known()) take_look(track, *look);
     believe(state, track, params);
   }
   remove_tracks(state, [&](int k) { return is_over(state.tracks[k], state.newest_s, params); });
   remove_tracks(state, [&](int k) { return is_double(state, k, followed, params); });
+  return of_followed;
 }
 
 }  // namespace foretrack

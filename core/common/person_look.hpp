@@ -4,7 +4,9 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
+#include "core/common/appearance.hpp"
 #include "core/common/target.hpp"
 
 namespace foretrack {
@@ -23,6 +25,8 @@ struct PersonLook {
   std::array<Landmark, kLandmarkCount> landmarks{};
   double body_yaw_rad = kNaN;  ///< world ENU, where the chest points; NaN: not known
   double head_yaw_rad = kNaN;  ///< where the nose points; NaN: not known
+
+  std::optional<Appearance> wears;  ///< none: not seen
 
   bool known() const { return stamp_s >= 0.0; }
 };

@@ -35,12 +35,4 @@ std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose&
   return seen;
 }
 
-double difference(const Appearance& a, const Appearance& b) {
-  return (a.colors - b.colors).norm();
-}
-
-void learn(Appearance& known, const Appearance& seen, double share) {
-  known.colors += share * (seen.colors - known.colors);
-}
-
 }  // namespace foretrack

@@ -169,6 +169,34 @@ PerceptionResult perceive(PerceptionState& state, const TargetObservation& obser
   return result;
 }
 
+std::optional<TorsoMeasurement> measure_torso(const TargetObservation& observation,
+                                              const VehicleHistory& vehicle,
+                                              const PerceptionParams& params) {
+  constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
+  PerceptionResult result;
+  result.measured.stamp_s = observation.stamp_s;
+  const bool measured = observation.kind == TargetObservation::Kind::kLandmarks
+                            ? measure_landmarks(observation, vehicle, kNoDepth, params, result)
+                            : measure_position(observation, result);
+  if (!measured || !is_valid(result.measured)) return std::nullopt;
+  return result.measured;
+}
+
+void start_at(PerceptionState& state, const TargetState& target) {
+  state = {};
+  state.count = 1;
+  auto& [measurement, estimate] = state.entries[0];
+  measurement.stamp_s = estimate.stamp_s = target.stamp_s;
+  measurement.position_enu_m = target.position_enu_m;
+  measurement.covariance_m2 = target.covariance.topLeftCorner<3, 3>();
+  estimate.started = true;
+  estimate.mean << target.position_enu_m, target.velocity_enu_m_s;
+  estimate.covariance = target.covariance;
+  estimate.yaw_rad = target.body_yaw_rad;
+  estimate.yaw_variance_rad2 = target.body_yaw_variance_rad2;
+  estimate.accepted_s = target.last_measurement_s;
+}
+
 TrackStatus track_status(const PerceptionState& state, double now_s,
                          const PerceptionParams& params) {
   if (state.count == 0) return TrackStatus::kNone;

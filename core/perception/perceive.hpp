@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "core/common/target.hpp"
@@ -66,6 +67,14 @@ struct PerceptionResult {
 PerceptionResult perceive(PerceptionState& state, const TargetObservation& observation,
                           const VehicleHistory& vehicle, const PerceptionParams& params,
                           double torso_depth_m = std::numeric_limits<double>::quiet_NaN());
+
+/// Where an observation puts the torso, without a word of whose it is. None: see perceive().
+std::optional<TorsoMeasurement> measure_torso(const TargetObservation& observation,
+                                              const VehicleHistory& vehicle,
+                                              const PerceptionParams& params);
+
+/// The track begins anew at somebody else, whose motion is known.
+void start_at(PerceptionState& state, const TargetState& target);
 
 /// Tracking, coasting or lost at now_s, by the age of the last accepted measurement. A time before
 /// the newest measurement counts as its time.

@@ -2,6 +2,8 @@
 #include "core/perception/perceive_image.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "core/perception/detect_people.hpp"
 
@@ -9,9 +11,11 @@ namespace foretrack {
 namespace {
 
 constexpr int kMostSide_px = 16384;
-constexpr double kClearly = 9.0;       // so much more unlike the other one, nobody doubts
-constexpr double kSurprising = 3.5;    // standard deviations in one image: it is said
-constexpr std::size_t kMostTried = 2;  // of the people whom the detector saw
+constexpr double kClearly = 9.0;          // so much more unlike the other one, nobody doubts
+constexpr double kSurprising = 3.5;       // standard deviations in one image: it is said
+constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
+constexpr std::size_t kMostCompared = 4;  // the same, where nobody knows where the person is
+constexpr double kTellApart = 0.12;       // by so much another one's clothes must differ more
 
 // Where the chosen person may be; none: anybody may be chosen.
 std::optional<ExpectedPlace> place_of_chosen(const PersonMemory& chosen, double stamp_s,
@@ -50,8 +54,8 @@ Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose&
   j.seen = appearance_of(image, pose);
   if (j.seen && chosen.wears) j.difference = difference(*j.seen, *chosen.wears);
   if (!chosen.known()) {
-    j.theirs = true;
     j.doubtful = j.difference > params.clothes_gate;
+    j.theirs = !j.doubtful;
     j.unlike = j.difference;
     return j;
   }
@@ -70,6 +74,13 @@ Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose&
   return j;
 }
 
+void begin_anew(PoseState& state) {
+  PoseState fresh;
+  fresh.first = state.first;
+  fresh.follows = state.follows;
+  state = std::move(fresh);
+}
+
 void take(PoseState& state, const PersonPose& pose, const Judgement& j, double stamp_s,
           bool doubtful) {
   if (!state.chosen.known()) state.chosen.wears.reset();
@@ -78,23 +89,69 @@ void take(PoseState& state, const PersonPose& pose, const Judgement& j, double s
   state.looks = 0;
 }
 
-// Anybody may be the chosen one now; of two, rather who wears the same.
+// Where they are is not known any more; what they wear is.
 void forget(PoseState& state) {
   const auto wore = state.chosen.wears;
   state.chosen = state.other = {};
   state.chosen.wears = wore;
 }
 
-// Those within the gate, the nearest first; without a place all, the most certain first.
+// Those within the gate, the nearest first; without a place all, as state.first says.
 std::vector<Detection> possible(std::vector<Detection> people,
-                                const std::optional<ExpectedPlace>& place) {
-  if (!place) return people;
-  const auto distance = [&](const Detection& d) { return (d.torso_px() - place->torso_px).norm(); };
-  std::erase_if(people, [&](const Detection& d) { return distance(d) > place->gate_px; });
-  std::stable_sort(people.begin(), people.end(), [&](const Detection& a, const Detection& b) {
-    return distance(a) < distance(b);
-  });
+                                const std::optional<ExpectedPlace>& place, FirstChoice first,
+                                const RgbImage& image) {
+  const auto distance_to = [](const Vec2& px) {
+    return [px](const Detection& d) { return (d.torso_px() - px).norm(); };
+  };
+  const auto size = [](const Detection& d) { return -region_of_body(d).size_px; };
+  if (place) {
+    const auto distance = distance_to(place->torso_px);
+    std::erase_if(people, [&](const Detection& d) { return distance(d) > place->gate_px; });
+    std::ranges::stable_sort(people, {}, distance);
+  } else if (first == FirstChoice::kNearest) {
+    std::ranges::stable_sort(people, {}, size);
+  } else if (first == FirstChoice::kMiddle) {
+    std::ranges::stable_sort(people, {}, distance_to(0.5 * Vec2(image.width_px, image.height_px)));
+  }
   return people;
+}
+
+/// Somebody whom the detector saw, and what the network made of them.
+struct Candidate {
+  ImageRegion region;
+  std::optional<PersonPose> pose;
+  Judgement judgement;
+};
+
+// The least unlike one who may be theirs. Without a place clothes alone tell: then another one may
+// not be nearly as like.
+const Candidate* choose_candidate(const std::vector<Candidate>& candidates, bool by_clothes) {
+  const Candidate* best = nullptr;
+  double second = std::numeric_limits<double>::infinity();
+  for (const Candidate& c : candidates) {
+    if (!c.pose || !c.judgement.theirs || c.judgement.changed) continue;
+    if (best && best->judgement.unlike <= c.judgement.unlike) {
+      second = std::min(second, c.judgement.unlike);
+      continue;
+    }
+    if (best) second = best->judgement.unlike;
+    best = &c;
+  }
+  const bool alike = by_clothes && best && second < best->judgement.unlike + kTellApart;
+  return alike ? nullptr : best;
+}
+
+std::vector<Candidate> look_at_people(const PoseState& state, const RgbImage& image, double stamp_s,
+                                      PoseNetwork& network, const PerceptionParams& params,
+                                      const std::vector<Detection>& people, std::size_t most) {
+  std::vector<Candidate> candidates;
+  for (const Detection& person : people) {
+    Candidate& c = candidates.emplace_back(Candidate{region_of_body(person), {}, {}});
+    if (candidates.size() > most) continue;
+    c.pose = find_landmarks(image, c.region, *network.landmarks, params.min_pose_score);
+    if (c.pose) c.judgement = judge(state, image, *c.pose, stamp_s, params);
+  }
+  return candidates;
 }
 
 void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
@@ -106,24 +163,26 @@ void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork
   if (!window) return;
   auto people = detect_people(image, *window, *network.detector, params.min_detection_score);
   result.candidates = static_cast<int>(people.size());
-  people = possible(std::move(people), place);
+  people = possible(std::move(people), place, state.first, image);
   result.ambiguous = result.ambiguous || people.size() > 1;
-  std::optional<Judgement> best;
-  for (std::size_t k = 0; k < std::min(people.size(), kMostTried); ++k) {
-    const auto pose =
-        find_landmarks(image, region_of_body(people[k]), *network.landmarks, params.min_pose_score);
-    if (!pose) continue;
-    Judgement j = judge(state, image, *pose, stamp_s, params);
-    result.ambiguous = result.ambiguous || j.doubtful || !j.theirs;
-    if (!best) result.difference = j.difference;
-    if (!j.theirs || j.changed || (best && best->unlike <= j.unlike)) continue;
-    result.person = *pose;
-    result.difference = j.difference;
-    best = std::move(j);
+  const auto candidates = look_at_people(state, image, stamp_s, network, params, people,
+                                         place ? kMostTried : kMostCompared);
+  for (const Candidate& c : candidates) {
+    if (!c.pose) continue;
+    result.ambiguous = result.ambiguous || c.judgement.doubtful || !c.judgement.theirs;
+    result.difference = c.judgement.difference;
   }
+  const bool by_clothes = !place && state.chosen.wears;
+  const Candidate* best = state.follows ? choose_candidate(candidates, by_clothes) : nullptr;
+  if (!place)
+    for (const Candidate& c : candidates)
+      if (&c != best) state.passed_over.push_back({c.region, c.pose, c.judgement.seen});
   if (!best) return;
   result.status = PoseStatus::kDetected;
-  take(state, result.person, *best, stamp_s, place && place->refused);
+  result.person = *best->pose;
+  result.difference = best->judgement.difference;
+  result.wears = best->judgement.seen;
+  take(state, result.person, best->judgement, stamp_s, place && place->refused);
 }
 
 // In the region from the last image.
@@ -138,6 +197,7 @@ bool track(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork&
   const Judgement j = judge(state, image, *pose, stamp_s, params);
   result.ambiguous = j.doubtful;
   result.difference = j.difference;
+  result.wears = j.seen;
   if (!j.theirs) return false;
   take(state, *pose, j, stamp_s, false);
   return true;
@@ -163,7 +223,16 @@ PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_
                           const std::optional<ExpectedPlace>& expected) {
   PoseResult result;
   if (!is_picture(image)) return result;
-  if (stamp_s < std::max(state.chosen.seen_s, state.looked_s)) state = {};
+  state.passed_over.clear();
+  if (stamp_s < std::max(state.chosen.seen_s, state.looked_s)) begin_anew(state);
+  if (!state.follows) {
+    forget(state);
+    state.chosen = {};
+    result.status = PoseStatus::kNotLooked;
+    if (stamp_s - state.looked_s >= params.watch_period_s)
+      search(state, image, stamp_s, network, params, {}, result);
+    return result;
+  }
   const auto place = place_of_chosen(state.chosen, stamp_s, params, expected);
   if (!place) forget(state);
   state.place = torso_place(state.chosen, stamp_s, expected);
@@ -177,6 +246,14 @@ PoseResult perceive_image(PoseState& state, const RgbImage& image, double stamp_
   if (stamp_s - state.looked_s >= params.detector_period_s)
     search(state, image, stamp_s, network, params, place, result);
   return result;
+}
+
+void follow_other(PoseState& state, const std::optional<Appearance>& wears) {
+  const PersonMemory before = std::exchange(state.chosen, {});
+  state.other = before.region ? before : PersonMemory{};
+  state.chosen.wears = wears;
+  state.follows = true;
+  state.looks = 0;
 }
 
 std::vector<PersonPose> find_people(const RgbImage& image, PoseNetwork& network,

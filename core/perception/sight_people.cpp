@@ -113,10 +113,13 @@ void sight_people(std::span<const OtherPerson> people, double stamp_s, const Cam
   const Pose T_world_camera = at_image->T_world_body() * camera.T_body_camera;
   PerceptionParams adult = params;
   adult.target_height_m = kAdult_m;
-  for (const OtherPerson& person : people)
+  for (const OtherPerson& person : people) {
+    const int before = out.sightings.count;
     if (!person.pose ||
         !sight_by_landmarks(*person.pose, stamp_s, camera, T_world_camera, adult, out))
       sight_by_box(person.region, stamp_s, camera, T_world_camera, adult, out);
+    if (out.sightings.count > before) out.looks[out.sightings.count - 1].wears = person.wears;
+  }
 }
 
 std::optional<PersonLook> look_of(const TargetObservation& observation,

@@ -2,6 +2,7 @@
 #include "core/perception/watch_others.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "core/perception/detect_people.hpp"
 
@@ -21,8 +22,9 @@ bool is_near(const PoseState& state, const Vec2& torso_px, double ratio) {
   return (torso_px - state.place.px).norm() < ratio * state.chosen.size_px;
 }
 
-void follow_other(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork& network,
-                  const PerceptionParams& params, std::vector<OtherPerson>& seen_now) {
+void keep_eye_on_other(PoseState& state, const RgbImage& image, double stamp_s,
+                       PoseNetwork& network, const PerceptionParams& params,
+                       std::vector<OtherPerson>& seen_now) {
   PersonMemory& other = state.other;
   const TorsoPlace place = place_at(other, stamp_s);
   if (stamp_s - other.seen_s > kForgotten_s || !is_near(state, place.px, kFar)) {
@@ -38,7 +40,7 @@ void follow_other(PoseState& state, const RgbImage& image, double stamp_s, PoseN
   if (theirs > unlikeness(state.chosen, state.place, stamp_s, *pose, seen)) return;
   if ((pose->torso_px() - place.px).norm() > params.jump_ratio * other.size_px) return;
   remember(other, *pose, seen, stamp_s, !is_near(state, place.px, kApart));
-  seen_now.push_back({pose->region, *pose});
+  seen_now.push_back({pose->region, *pose, seen});
 }
 
 bool is_other(const PoseState& state, const Vec2& torso_px, double stamp_s) {
@@ -76,23 +78,24 @@ void look_around(PoseState& state, const RgbImage& image, double stamp_s, PoseNe
   for (const Detection& d : people)
     if (&d != person && !is_near(state, d.torso_px(), kSameDetected) &&
         !is_other(state, d.torso_px(), stamp_s))
-      seen_now.push_back({region_of_body(d), std::nullopt});
+      seen_now.push_back({region_of_body(d), std::nullopt, std::nullopt});
   if (!person) return;
   const auto pose =
       find_landmarks(image, region_of_body(*person), *network.landmarks, params.min_pose_score);
   if (!pose || is_near(state, pose->torso_px(), kSame)) return;
   state.other = {};
-  remember(state.other, *pose, appearance_of(image, *pose), stamp_s, true);
-  seen_now.push_back({pose->region, *pose});
+  const auto wears = appearance_of(image, *pose);
+  remember(state.other, *pose, wears, stamp_s, true);
+  seen_now.push_back({pose->region, *pose, wears});
 }
 
 }  // namespace
 
 std::vector<OtherPerson> watch_others(PoseState& state, const RgbImage& image, double stamp_s,
                                       PoseNetwork& network, const PerceptionParams& params) {
-  std::vector<OtherPerson> others;
+  std::vector<OtherPerson> others = std::exchange(state.passed_over, {});
   if (!state.chosen.known() || !is_picture(image)) return others;
-  if (state.other.known()) follow_other(state, image, stamp_s, network, params, others);
+  if (state.other.known()) keep_eye_on_other(state, image, stamp_s, network, params, others);
   const bool seen_now = state.chosen.seen_s == stamp_s;
   if (seen_now && stamp_s - state.watched_s >= params.watch_period_s)
     look_around(state, image, stamp_s, network, params, others);

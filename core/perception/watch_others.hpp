@@ -9,12 +9,6 @@
 
 namespace foretrack {
 
-/// Somebody else in one image.
-struct OtherPerson {
-  ImageRegion region;              ///< around the hips, 1.25 times as large as the body
-  std::optional<PersonPose> pose;  ///< none: only the detector saw them
-};
-
 /// Keeps an eye on the other person who is nearest to the chosen one. Call it after
 /// perceive_image() on the same image: in the next image, a pose can then be told from theirs.
 ///
@@ -24,7 +18,7 @@ struct OtherPerson {
 /// of their own. They are forgotten when they are far away or were not seen for 1.5 s.
 ///
 /// Cost: the landmark network once more while somebody is near, and the detector once in
-/// watch_period_s. Returns everybody else whom it saw in this image.
+/// watch_period_s. Returns everybody else whom it, or perceive_image(), saw in this image.
 std::vector<OtherPerson> watch_others(PoseState& state, const RgbImage& image, double stamp_s,
                                       PoseNetwork& network, const PerceptionParams& params);
 

@@ -2,6 +2,9 @@
 #include "core/tracker/tracker.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/tracker/follow_people.hpp"
 
 namespace foretrack {
 namespace {
@@ -66,6 +69,24 @@ const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
   return state.mapping.map.empty() ? nullptr : &state.mapping.map;
 }
 
+void observe(TrackerState& state, const TrackerInput& input, const PeopleTracks& people,
+             const PeopleParams& params) {
+  const TargetObservation& observation = *input.observation;
+  state.delay_s = std::clamp(input.now_s - observation.stamp_s, 0.0, params.perception.delay_max_s);
+  if (take_as_other(people, observation, state.vehicles, params)) return;
+  perceive(state.perception, observation, state.vehicles, params.perception, input.torso_depth_m);
+  if (!input.wears) return;
+  state.bodies.followed_look.stamp_s = observation.stamp_s;
+  state.bodies.followed_look.wears = input.wears;
+}
+
+// The gate takes the order in this step, and it acts in the next one.
+void hear_order(TrackerState& state, const TrackerInput& input, const GateResult& gate) {
+  const bool taken = input.command && input.command->order == MissionOrder::kFollow &&
+                     gate.command_id == input.command->id && is_accepted(gate.command_result);
+  if (taken) state.follow_order = input.command->person_id;
+}
+
 }  // namespace
 
 TrackerState::TrackerState(const TrackerParams& params) : mapping(params.mapping) {}
@@ -73,12 +94,9 @@ TrackerState::TrackerState(const TrackerParams& params) : mapping(params.mapping
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params) {
   TrackerOutput out;
   state.vehicles.add(input.vehicle);
-  if (input.observation) {
-    state.delay_s =
-        std::clamp(input.now_s - input.observation->stamp_s, 0.0, params.perception.delay_max_s);
-    perceive(state.perception, *input.observation, state.vehicles, params.perception,
-             input.torso_depth_m);
-  }
+  const PeopleTracks people{state.perception, state.bodies, state.choice};
+  const PeopleParams people_params{params.perception, params.bodies, params.choice};
+  if (input.observation) observe(state, input, people, people_params);
   out.target = coast(state.perception, input.now_s, params.perception);
   // A camera that is always late does not make the target a hidden one.
   out.target.status =
@@ -89,7 +107,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
     track_bodies(state.bodies, state.mapping.movers, out.target, params.bodies);
   }
   if (input.sightings)
-    track_bodies(state.bodies, *input.sightings, out.target, params.bodies, input.looks);
+    take_sightings(people, *input.sightings, input.looks, state.vehicles, people_params);
   out.map = map_of(state, input);
 
   if (input.fleet) {
@@ -102,10 +120,19 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   const Followed followed{out.target, &state.prediction.result.prediction,
                           params.perception.target_height_m};
   bodies_around(state.bodies, input.now_s, followed, input.vehicle.position_enu_m, params.bodies,
-                state.around);
+                state.around, state.looks);
   out.bodies = &state.around;
   if (input.fleet) state.kept_clear = all_of(state.around, state.coordinated.peers);
   const MovingBodies* kept_clear = input.fleet ? &state.kept_clear : &state.around;
+  const bool doubtful = input.observation && input.observation->doubtful;
+  out.choice = choose_person(people,
+                             {.now_s = input.now_s,
+                              .bodies = state.around,
+                              .looks = state.looks,
+                              .vehicle_enu_m = input.vehicle.position_enu_m,
+                              .doubtful = doubtful,
+                              .order = std::exchange(state.follow_order, std::nullopt)},
+                             people_params);
 
   const PlannedTrajectory* fresh = nullptr;
   if (plans) {
@@ -119,7 +146,9 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .map = out.map,
                       .bodies = kept_clear,
                       .flies_plans = state.gate.flies_plans,
-                      .framing = framing_of(state, input, params.fleet)},
+                      .framing = framing_of(state, input, params.fleet),
+                      .waits = out.choice.status == ChoiceStatus::kWaiting ||
+                               out.choice.status == ChoiceStatus::kDoubtful},
                      params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;
@@ -137,6 +166,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   in.bodies = kept_clear;
   in.bodies_at_s = input.now_s;
   out.gate = gate(state.gate, in, params.safety);
+  hear_order(state, input, out.gate);
   return out;
 }
 

@@ -4,11 +4,14 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "core/bodies/bodies_around.hpp"
+#include "core/choice/choose.hpp"
 #include "core/fleet/coordinate.hpp"
 #include "core/mapping/update_map.hpp"
 #include "core/perception/perceive.hpp"
+#include "core/perception/stream_params.hpp"
 #include "core/planning/plan.hpp"
 #include "core/prediction/predict.hpp"
 #include "core/safety/gate.hpp"
@@ -20,10 +23,12 @@ struct TrackerParams {
   PerceptionParams perception;
   MappingParams mapping;
   BodyParams bodies;
+  ChoiceParams choice;
   PredictionParams prediction;
   PlanningParams planning;
   SafetyParams safety;
   FleetParams fleet;
+  StreamParams ground_stream;  ///< of the service that perceives; the tracker sends no pictures
 };
 
 /// A vehicle that flies with others, and what was heard of them since the last step.
@@ -43,6 +48,7 @@ struct TrackerInput {
   /// Depth of the torso's surface in the observation's image, along the optical axis (see
   /// torso_surface_depth_m()). NaN: not measured.
   double torso_depth_m = std::numeric_limits<double>::quiet_NaN();
+  std::optional<Appearance> wears = {};  ///< the person in the observation's image; none: not seen
   const DepthImage* depth = nullptr;
   const GridMap* known_map = nullptr;        ///< null: plans are made in the map built from depth
   const BodySightings* sightings = nullptr;  ///< of others, by a detector; empty: of nobody
@@ -59,7 +65,10 @@ struct TrackerState {
   PerceptionState perception;
   MappingState mapping;
   BodiesState bodies;
-  MovingBodies around;      ///< at the last step
+  ChoiceState choice;
+  std::optional<std::uint32_t> follow_order;              ///< that was taken in the last step
+  std::array<PersonLook, MovingBodies::kCapacity> looks;  ///< of around
+  MovingBodies around;                                    ///< at the last step
   MovingBodies kept_clear;  ///< the same with the fleet's others
   PredictionState prediction;
   PlanningState planning;
@@ -80,14 +89,15 @@ struct TrackerOutput {
   const GridMap* map = nullptr;          ///< that plans are made in; null: there is none yet
   const MovingBodies* bodies = nullptr;  ///< around the vehicle, the followed person among them
   const FleetResult* fleet = nullptr;    ///< null: nothing was told in this step
+  ChoiceResult choice;                   ///< who is followed, and how sure that is
   bool planned = false;                  ///< prediction and plan were made in this step
   GateResult gate;                       ///< what the flight controller is to be given
 };
 
-/// perceive → update map → track bodies → coordinate → predict → plan → gate. Predictions and plans are made
-/// once in planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's rate
-/// (100 Hz). Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with a
-/// plan 1 ms more. Allocates nothing after the first seconds in a known map.
+/// perceive → update map → track bodies → coordinate → predict → choose → plan → gate. Predictions and
+/// plans are made once in planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's
+/// rate (100 Hz). Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with
+/// a plan 1 ms more. Allocates nothing after the first seconds in a known map.
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params);
 
 }  // namespace foretrack

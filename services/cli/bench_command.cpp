@@ -13,6 +13,7 @@
 
 #include "services/cli/commands.hpp"
 #include "services/offline/experiments/bench.hpp"
+#include "services/offline/experiments/identity.hpp"
 
 namespace foretrack {
 namespace {
@@ -190,18 +191,32 @@ int bench_with(Options o) {
   return interrupted != 0 ? 130 : 0;
 }
 
+// Nothing is flown: people are rendered and told apart.
+int tell_people_apart(const BenchRequest& request) {
+  IdentityRequest identity;
+  if (request.runs > 0) identity.events = request.runs;
+  if (request.seed > 0) identity.seed = request.seed;
+  std::signal(SIGINT, on_interrupt);
+  identity.goes_on = [](int) { return interrupted == 0; };
+  fmt::print("{}", table_of(bench_identity(identity)));
+  return interrupted != 0 ? 130 : 0;
+}
+
 }  // namespace
 
 std::function<int()> prepare_bench(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   BenchRequest& q = o->request;
-  app.add_option("NAME", o->names,
-                 "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
-                 "chests, real_tracks_chest, encounters, encounters_all_round, search")
+  app.add_option(
+         "NAME", o->names,
+         "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
+         "chests, real_tracks_chest, encounters, encounters_all_round, search; or identity, alone")
       ->capture_default_str();
-  app.add_option("--runs", q.runs, "seeds a world (real_tracks: pedestrians) instead of the usual")
+  app.add_option("--runs", q.runs,
+                 "seeds a world (real_tracks: pedestrians, identity: events) instead of the usual")
       ->check(CLI::Range(1, 100000));
-  app.add_option("--seed", q.seed, "the first seed; missing: 5001, encounters 20001, search 31001")
+  app.add_option("--seed", q.seed,
+                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 41001")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,
                  "names of deploy/params, or parameter files, parted by commas; missing: all, "
@@ -229,7 +244,10 @@ std::function<int()> prepare_bench(CLI::App& app) {
       ->capture_default_str();
   app.add_flag("--quick", q.quick, "a few minutes instead of hours: fewer and shorter flights");
   app.add_flag("!--no-report", o->report, "leave report.html and the plots out");
-  return [o] { return bench_with(*o); };
+  return [o] {
+    return o->names == std::vector<std::string>{"identity"} ? tell_people_apart(o->request)
+                                                            : bench_with(*o);
+  };
 }
 
 }  // namespace foretrack

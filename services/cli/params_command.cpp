@@ -16,8 +16,9 @@ std::function<int()> prepare_params(CLI::App& app) {
     bool yaml = false, markdown = false;
   };
   const auto o = std::make_shared<Options>();
-  app.add_option("stage", o->stage,
-                 "tracker, perception, mapping, prediction, planning or safety; all if left out");
+  app.add_option(
+      "stage", o->stage,
+      "perception, mapping, bodies, choice, prediction, planning or safety; all if left out");
   app.add_option("--params", o->file, "with the values of this file")->check(CLI::ExistingFile);
   auto* yaml = app.add_flag("--yaml", o->yaml, "as a parameter file");
   app.add_flag("--markdown", o->markdown, "as a page")->excludes(yaml);

@@ -98,8 +98,9 @@ Station::Station(const StationOptions& options, Stop& stop)
   }
   const ApiOptions api{options_.enable_control, !is_loopback(options_.server.address),
                        options_.recorder.folder};
-  api_ = std::make_unique<Api>(api, tokens_, audit_, commander_.get(), recorder_,
-                               [this] { return to_json_text(status()); });
+  api_ = std::make_unique<Api>(
+      api, tokens_, audit_, commander_.get(), recorder_, [this] { return to_json_text(status()); },
+      [this](auto work) { server_.post(std::move(work)); });
   api_->on_recording = [this] { update_interest(), publish_status(); };
   set_up_server();
 }

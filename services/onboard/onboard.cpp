@@ -21,7 +21,7 @@ using Options = ServiceOptions;
 constexpr std::array<OnboardService, 5> kServices = {{
     {"perception", "camera observations to the target's state", "perception",
      [](const Options& o, const TrackerParams& p, Stop& s) {
-       run_perception(o, p.perception, p.bodies, s);
+       run_perception(o, p.perception, p.bodies, p.choice, p.ground_stream, s);
      }},
     {"mapping", "depth images to the map around the vehicle", "mapping",
      [](const Options& o, const TrackerParams& p, Stop& s) { run_mapping(o, p.mapping, s); }},

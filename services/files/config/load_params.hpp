@@ -12,7 +12,7 @@
 namespace foretrack {
 
 /// The stages with their rows, in the order of the pipeline: tracker, perception, mapping,
-/// prediction, planning, safety. Valid as long as the params are.
+/// prediction, planning, safety, ground_stream. Valid as long as the params are.
 std::vector<std::pair<std::string_view, ParamRows>> stages_of(TrackerParams& params);
 
 /// The parameter file of that name, or of a shipped one (deploy/params/NAME.yaml). Throws

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kRequests_s = 20.0;
 constexpr std::size_t kMaxName = 32;
 constexpr std::string_view kRecordings = "/recordings/";
+constexpr std::string_view kReports = "/reports/";
 
 Response outcome_response(int status, const Outcome& outcome) {
   const Json said{{"ok", outcome.ok}, {"reason", outcome.reason}, {"answered", outcome.answered}};
@@ -48,6 +49,15 @@ std::string list_recordings(const fs::path& folder) {
   return list.dump();
 }
 
+// /reports/<file>.html → <file>.mcap; empty: the path names none.
+std::string reported_file(std::string_view path) {
+  constexpr std::string_view kEnd = ".html";
+  if (!path.starts_with(kReports) || !path.ends_with(kEnd)) return {};
+  const auto name = path.substr(kReports.size(), path.size() - kReports.size() - kEnd.size());
+  const bool leads_out = name.empty() || name.find('/') != name.npos || name.starts_with('.');
+  return leads_out ? "" : std::string(name) + ".mcap";
+}
+
 }  // namespace
 
 /// A POST that was allowed so far.
@@ -59,13 +69,14 @@ struct Api::Order {
 };
 
 Api::Api(const ApiOptions& options, const Tokens& tokens, Audit& audit, Commander* commander,
-         Recorder& recorder, std::function<std::string()> status)
+         Recorder& recorder, std::function<std::string()> status, ReportMaker::Post post)
     : options_(options),
       tokens_(tokens),
       audit_(audit),
       commander_(commander),
       recorder_(recorder),
       status_(std::move(status)),
+      reports_(std::move(post)),
       allowance_(kRequests_s) {}
 
 std::string Api::refusal_to_read(const Request& request) const {
@@ -75,7 +86,8 @@ std::string Api::refusal_to_read(const Request& request) const {
 
 bool Api::handle(const Request& request, const Respond& respond, double now_s) {
   const bool is_api = request.path.starts_with("/api/");
-  if (!is_api && !request.path.starts_with(kRecordings)) return false;
+  if (!is_api && !request.path.starts_with(kRecordings) && !request.path.starts_with(kReports))
+    return false;
   if (const auto why = refusal_to_read(request); !why.empty()) {
     audit_.note({{"event", "refused"}, {"remote", request.remote}, {"path", request.path}});
     respond(outcome_response(401, {false, why}));
@@ -96,6 +108,8 @@ void Api::get(const Request& request, const Respond& respond) {
   if (request.path.starts_with(kRecordings) && request.path.ends_with(".mcap"))
     return respond(serve_file(options_.recordings, request.path.substr(kRecordings.size() - 1),
                               request.range, false));
+  if (const auto file = reported_file(request.path); !file.empty())
+    return reports_.make(options_.recordings / file, respond);
   respond(outcome_response(404, {false, "there is no such thing"}));
 }
 

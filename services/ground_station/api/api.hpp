@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requests under /api/ and /recordings/, and who may make them.
+// The requests under /api/, /recordings/ and /reports/, and who may make them.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include "services/ground_station/control/tokens.hpp"
 #include "services/ground_station/http/message.hpp"
 #include "services/ground_station/recording/recorder.hpp"
+#include "services/ground_station/report/report_maker.hpp"
 
 namespace foretrack::station {
 
@@ -24,7 +25,7 @@ struct ApiOptions {
 class Api {
  public:
   Api(const ApiOptions& options, const Tokens& tokens, Audit& audit, Commander* commander,
-      Recorder& recorder, std::function<std::string()> status);
+      Recorder& recorder, std::function<std::string()> status, ReportMaker::Post post);
 
   /// Whether the path is of the API; then it answers, now or when a vehicle has.
   bool handle(const Request& request, const Respond& respond, double now_s);
@@ -49,6 +50,7 @@ class Api {
   Commander* commander_;
   Recorder& recorder_;
   std::function<std::string()> status_;
+  ReportMaker reports_;
   double allowance_ = 0.0;  // requests
   double asked_s_ = 0.0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bundles the page to dist/: everything local, the scene and the plots in chunks of their own.
 import { build } from "esbuild";
-import { cpSync, mkdirSync, rmSync } from "node:fs";
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -27,3 +27,8 @@ await build({
 });
 cpSync(join(here, "index.html"), join(out, "index.html"));
 cpSync(join(here, "icon.svg"), join(out, "icon.svg"));
+// Languages besides English; each file says its own name.
+cpSync(join(here, "words"), join(out, "words"), { recursive: true });
+const languages = readdirSync(join(here, "words")).filter((file) => file.endsWith(".json"))
+  .map((file) => [file.slice(0, -5), JSON.parse(readFileSync(join(here, "words", file)))[""]]);
+writeFileSync(join(out, "words/index.json"), JSON.stringify([["en", "English"], ...languages]));

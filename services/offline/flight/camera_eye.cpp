@@ -28,6 +28,7 @@ const CameraEye::Seen* CameraEye::look(const SimulatorOutput& output, const Perc
     if (seen.found) {
       seen.observation = to_observation(result_.person, image->stamp_s, image->camera, params_);
       seen.observation.doubtful = result_.ambiguous;
+      seen.wears = result_.wears;
       seen.torso_depth_m = torso_depth_of(seen.observation, output.depth, params_.same_instant_s);
     }
     const auto others = watch_others(state_, image->pixels, image->stamp_s, network_, params_);

@@ -17,14 +17,17 @@ namespace foretrack {
 class CameraEye {
  public:
   /// delay_s: from an image to what is seen in it.
-  CameraEye(PoseNetwork network, const PerceptionParams& params, double delay_s)
-      : network_(std::move(network)), params_(params), delay_s_(delay_s) {}
+  CameraEye(PoseNetwork network, const PerceptionParams& params, FirstChoice first, double delay_s)
+      : network_(std::move(network)), params_(params), delay_s_(delay_s) {
+    state_.first = first;
+  }
 
   struct Seen {
     bool found = false;  // the person; there is an observation
     PeopleSeen others;
     TargetObservation observation;
     double torso_depth_m = std::numeric_limits<double>::quiet_NaN();  // NaN: not measured
+    std::optional<Appearance> wears;                                  // the person
   };
 
   /// Looks at the image, if there is one, near where the track expects the person; `depth`, if
@@ -32,6 +35,9 @@ class CameraEye {
   /// image then. Valid until the next call.
   const Seen* look(const SimulatorOutput& output, const PerceptionState& track,
                    const VehicleHistory& vehicles);
+  /// Follows somebody else from now on, who wears that; or nobody.
+  void follow(const std::optional<Appearance>& wears) { follow_other(state_, wears); }
+  void follow_nobody() { state_.follows = false; }
   /// Of the last image.
   const PoseResult& result() const { return result_; }
 

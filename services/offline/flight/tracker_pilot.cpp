@@ -59,7 +59,8 @@ TrackerPilot::TrackerPilot(const Scenario& scenario, const TrackerParams& params
   if (scenario.color_images)
     eye_.emplace(load_pose_network(find_share("models"),
                                    static_cast<PoseModel>(params.perception.model_complexity)),
-                 params.perception, scenario.landmark_camera.delay_s);
+                 params.perception, static_cast<FirstChoice>(params.choice.start),
+                 scenario.landmark_camera.delay_s);
 }
 
 TrackerOutput TrackerPilot::fly(PilotStep s, const FleetLink* fleet, const MissionCommand* order) {
@@ -76,12 +77,15 @@ TrackerOutput TrackerPilot::fly(PilotStep s, const FleetLink* fleet, const Missi
           eye_ ? eye_->look(s.simulator, tracker_.perception, tracker_.vehicles) : nullptr) {
     if (seen->found) input.observation = &seen->observation;
     input.torso_depth_m = seen->torso_depth_m;
+    input.wears = seen->wears;
     input.sightings = &seen->others.sightings;
     input.looks = seen->others.looks;
   }
   if (order) input.command = order;
   const double begin_ms = cpu_ms();  // other flights run beside this one
   const TrackerOutput out = step(tracker_, input, params_);
+  if (eye_ && out.choice.take_over)
+    *out.choice.take_over == 0 ? eye_->follow_nobody() : eye_->follow(tracker_.choice.wears);
   if (out.planned) s.plan_ms.push_back(cpu_ms() - begin_ms);
   s.command = input_of(out.gate);
   write_decision(out, last_, s.row);

@@ -21,7 +21,7 @@ constexpr double kLoadAgain_s = 5.0;
 
 }  // namespace
 
-ImageInput::ImageInput(Service& service, const PerceptionParams& params,
+ImageInput::ImageInput(Service& service, const PerceptionParams& params, const StreamParams& stream,
                        const PerceptionState& track, const VehicleInput& vehicle, OnSeen seen,
                        OnPeople people)
     : service_(service),
@@ -35,11 +35,15 @@ ImageInput::ImageInput(Service& service, const PerceptionParams& params,
       mount_(service, service.options().color_mount, transforms_),
       info_(service.node()),
       image_(service.node()),
-      compressed_(service.node()) {
+      compressed_(service.node()),
+      ground_(service, stream) {
   Loop& loop = service.loop();
-  loop.on_newest(
-      info_, [](const sensor_msgs::msg::CameraInfo& message) { return from_idl(message); },
-      [this](const CameraWithLens& camera) { camera_ = camera; });
+  loop.on_newest(info_, [this](const auto& message) {
+    const auto camera = from_idl(message);
+    if (!camera) return info_.refuse(camera.fault());
+    camera_ = *camera;
+    camera_info_ = message;
+  });
   loop.on_newest(image_, [this](const auto& message) { take(message, image_); });
   // A driver that writes both kinds: the plain ones are enough.
   loop.on_newest(compressed_, [this](const auto& message) {
@@ -54,11 +58,12 @@ void ImageInput::take(const Message& message, Reader<Topic>& reader) {
   if constexpr (std::is_same_v<Message, sensor_msgs::msg::Image>)
     sight_.look_at_color(message.data());
   if (!camera_) return reader.refuse(Fault{"camera_info", "no camera_info came yet"});
-  if (!load_network()) return reader.reject("no pose network");
   auto image = rgb_from_idl(message, camera_->camera, std::move(rgb_.rgb));
   if (!image) return reader.refuse(image.fault());
   rgb_ = std::move(*image);
   if constexpr (!std::is_same_v<Message, sensor_msgs::msg::Image>) sight_.look_at_color(rgb_.rgb);
+  ground_.offer(rgb_, camera_info_, stamp_s, message.header().frame_id());
+  if (!load_network()) return reader.reject("no pose network");
   if (!place(message.header().frame_id(), stamp_s))
     return reader.refuse(Fault{"mount", mount_.trouble()});
   look(message.header().frame_id(), stamp_s);
@@ -91,9 +96,11 @@ void ImageInput::look(const std::string& frame_id, double stamp_s) {
   const auto expected =
       expected_place(track_, vehicle_.history(), camera_->camera, stamp_s, params_);
   PoseResult result = perceive_image(pose_, rgb_, stamp_s, *network_, params_, expected);
+  ground_.write_what_is_done();  // encoded meanwhile
   if (result.ambiguous) ambiguous_s_ = stamp_s;
+  image_s_ = stamp_s;
   place(frame_id, stamp_s);  // once more: a joint's transform of this time may have come meanwhile
-  Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN()};
+  Seen seen{stamp_s, nullptr, std::numeric_limits<double>::quiet_NaN(), result.wears};
   if (result.found()) {
     undistort(result.person, camera_->camera, camera_->lens);
     observation_ = to_observation(result.person, stamp_s, camera_->camera, params_);

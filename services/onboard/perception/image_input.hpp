@@ -16,6 +16,7 @@
 #include "services/onboard/camera_mount.hpp"
 #include "services/onboard/camera_sight.hpp"
 #include "services/onboard/inputs.hpp"
+#include "services/onboard/perception/ground_stream.hpp"
 
 namespace foretrack {
 
@@ -28,15 +29,18 @@ class ImageInput {
   struct Seen {
     double stamp_s = 0.0;
     const TargetObservation* observation = nullptr;
-    double torso_depth_m = 0.0;  // NaN: not measured
+    double torso_depth_m = 0.0;            // NaN: not measured
+    std::optional<Appearance> wears = {};  // the person; none: not seen
   };
   using OnSeen = std::function<void(const Seen&)>;
   using OnPeople = std::function<void(const PeopleSeen&)>;
 
   /// At each image `seen` is called, and then `people`, with all others. `track` and `vehicle` say
-  /// where the person is expected; they outlive this.
-  ImageInput(Service& service, const PerceptionParams& params, const PerceptionState& track,
-             const VehicleInput& vehicle, OnSeen seen, OnPeople people);
+  /// where the person is expected; they outlive this. Each image goes to the ground, too, also one
+  /// that the network cannot look at.
+  ImageInput(Service& service, const PerceptionParams& params, const StreamParams& stream,
+             const PerceptionState& track, const VehicleInput& vehicle, OnSeen seen,
+             OnPeople people);
 
   /// Why images are of no use now; empty: they are, or none come.
   const std::string& trouble() const { return trouble_; }
@@ -46,6 +50,14 @@ class ImageInput {
   void update() { transforms_.update(); }
   /// Whether the images still show something, and why not.
   const CameraSight& sight() const { return sight_; }
+  /// Somebody else is followed from now on, who wears that; see follow_other().
+  void follow(const std::optional<Appearance>& wears) { follow_other(pose_, wears); }
+  void follow_nobody() { pose_.follows = false; }
+  /// Who is followed first where several are seen.
+  void start_with(FirstChoice first) { pose_.first = first; }
+  /// The last image that was looked at, and its stamp; null: there was none.
+  const RgbImage* image() const { return image_s_ < 0.0 ? nullptr : &rgb_; }
+  double image_s() const { return image_s_; }
   /// When several people could last have been the one who is followed; by the image's stamp.
   double ambiguous_s() const { return ambiguous_s_; }
 
@@ -73,16 +85,19 @@ class ImageInput {
   std::optional<Reader<topics::DepthCameraInfo>> depth_info_;
   std::optional<Reader<topics::DepthImage>> depth_image_;
   std::optional<CameraWithLens> camera_;
+  sensor_msgs::msg::CameraInfo camera_info_;  // that says so
   std::optional<DepthReader> depth_camera_;
   std::optional<PoseNetwork> network_;
   PoseState pose_;
   RgbImage rgb_;
+  GroundStream ground_;
   DepthImage depth_;
   TargetObservation observation_;
   PeopleSeen people_;
   std::string trouble_;
   double next_load_s_ = -1e9;
   double ambiguous_s_ = -1e9;
+  double image_s_ = -1.0;
 };
 
 }  // namespace foretrack

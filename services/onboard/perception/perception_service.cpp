@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "services/convert/bodies.hpp"
 #include "services/convert/prediction.hpp"
+#include "services/convert/safety.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/visual.hpp"
 
@@ -26,20 +28,29 @@ constexpr char kAmbiguous[] = "several people could be the one who is followed; 
 }  // namespace
 
 PerceptionService::PerceptionService(Service& service, const PerceptionParams& params,
-                                     const BodyParams& body_params)
+                                     const BodyParams& body_params,
+                                     const ChoiceParams& choice_params, const StreamParams& stream)
     : service_(service),
       params_(params),
       body_params_(body_params),
+      choice_params_(choice_params),
       vehicle_(service, [this] { perceive_waiting(); }),
       observation_(service.node()),
       sightings_(service.node()),
       prediction_reader_(service.node()),
+      gate_reader_(service.node()),
       target_(service.node()),
       bodies_(service.node()),
+      choice_teller_(service),
       markers_(service.node()),
       images_(
-          service, params, state_, vehicle_, [this](const auto& seen) { take_seen(seen); },
+          service, params, stream, state_, vehicle_, [this](const auto& seen) { take_seen(seen); },
           [this](const PeopleSeen& people) { take_sightings(people.sightings, people.looks); }) {
+  images_.start_with(static_cast<FirstChoice>(choice_params.start));
+  service.loop().on_each(gate_reader_, [this](const auto& message) {
+    const auto gate = from_idl(message);
+    gate ? hear_gate(*gate) : gate_reader_.refuse(gate.fault());
+  });
   service.loop().on_each(observation_, [this](const auto& message) { take(message); });
   service.loop().on_each(sightings_, convert,
                          [this](const BodySightings& seen) { take_sightings(seen, {}); });
@@ -66,7 +77,7 @@ void PerceptionService::take_seen(const ImageInput::Seen& seen) {
   }
   if (seen.observation) {
     to_idl(*seen.observation, seen_->sample());
-    wait_for_odometry({*seen.observation, 0.0, seen.torso_depth_m});
+    wait_for_odometry({*seen.observation, 0.0, seen.torso_depth_m, true, seen.wears});
   } else {
     to_idl_nobody(seen.stamp_s, seen_->sample());
   }
@@ -84,16 +95,20 @@ void PerceptionService::wait_for_odometry(Waiting observed) {
 void PerceptionService::perceive_waiting() {
   const double now_s = service_.clock().now_s();
   for (; !waiting_.empty(); waiting_.pop_front()) {
-    const auto& [observation, arrived_s, torso_depth_m] = waiting_.front();
+    const auto& [observation, arrived_s, torso_depth_m, own, wears] = waiting_.front();
     const VehicleState* vehicle = vehicle_.newest();
     const bool covered = vehicle && vehicle->stamp_s >= observation.stamp_s;
     if (!covered && now_s - arrived_s < kPoseWait_s) return;
+    if (!own && take_as_other(people(), observation, vehicle_.history(), people_params())) continue;
+    doubtful_ = observation.doubtful;
     const auto result = perceive(state_, observation, vehicle_.history(), params_, torso_depth_m);
     if (result.status == PerceptionStatus::kGated) ++gated_;
     delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, params_.delay_max_s);
     if (result.used_landmarks > 0)
-      if (const auto look = look_of(observation, vehicle_.history(), params_))
+      if (auto look = look_of(observation, vehicle_.history(), params_)) {
+        look->wears = wears;
         bodies_state_.followed_look = *look;
+      }
     if (result.target.stamp_s > published_s_) publish(result.target);
   }
 }
@@ -113,6 +128,7 @@ void PerceptionService::coast_if_silent() {
   if (now_s < published_s_ - kRestart_s) {  // a simulation was started anew
     state_ = {};
     bodies_state_ = {};
+    choice_ = {};
     published_s_ = -1.0;
     looked_s_ = -1e9;
   }
@@ -134,8 +150,38 @@ void PerceptionService::publish(const TargetState& target) {
 
 void PerceptionService::take_sightings(const BodySightings& seen,
                                        std::span<const PersonLook> looks) {
-  const TargetState target = coast(state_, seen.stamp_s, params_);
-  track_bodies(bodies_state_, seen, target, body_params_, looks);
+  const bool moved =
+      foretrack::take_sightings(people(), seen, looks, vehicle_.history(), people_params());
+  if (moved && seen.stamp_s > published_s_) publish(coast(state_, seen.stamp_s, params_));
+}
+
+// An order acts once, when the gate has taken it. What it remembers of before we began means
+// nothing here, as bodies are numbered anew; but that nobody is to be followed.
+void PerceptionService::hear_gate(const GateReport& gate) {
+  const PersonChoice& person = gate.result.person;
+  const bool is_follow =
+      gate.order == MissionOrder::kFollow && is_accepted(gate.result.command_result);
+  const bool is_new = is_follow && gate.result.command_id != order_id_;
+  const bool changed = ordered_ ? person != *ordered_ : person.made && person.person_id == 0;
+  if (is_follow) order_id_ = gate.result.command_id;
+  if (person.made && (changed || (is_new && ordered_))) order_ = person.person_id;
+  ordered_ = person;
+}
+
+void PerceptionService::choose_whom(double stamp_s) {
+  const VehicleState* vehicle = vehicle_.newest();
+  const ChoiceResult choice =
+      choose_person(people(),
+                    {.now_s = stamp_s,
+                     .bodies = around_,
+                     .looks = looks_,
+                     .vehicle_enu_m = vehicle ? vehicle->position_enu_m : Vec3(Vec3::Zero()),
+                     .doubtful = std::exchange(doubtful_, false),
+                     .order = std::exchange(order_, std::nullopt)},
+                    people_params());
+  if (choice.take_over)
+    *choice.take_over == 0 ? images_.follow_nobody() : images_.follow(choice_.wears);
+  choice_teller_.tell(stamp_s, choice, around_, looks_, images_.image(), images_.image_s());
 }
 
 void PerceptionService::publish_bodies(const TargetState& target) {
@@ -147,6 +193,7 @@ void PerceptionService::publish_bodies(const TargetState& target) {
   to_idl(around_, looks_, bodies_.sample());
   bodies_.sample().camera(static_cast<std::uint8_t>(images_.sight().fault()));
   bodies_.write();
+  choose_whom(stamp_s);
 }
 
 void PerceptionService::publish_markers(const TargetState& target) {
@@ -156,9 +203,10 @@ void PerceptionService::publish_markers(const TargetState& target) {
 }
 
 void run_perception(const ServiceOptions& options, const PerceptionParams& params,
-                    const BodyParams& body_params, Stop& stop) {
+                    const BodyParams& body_params, const ChoiceParams& choice_params,
+                    const StreamParams& stream, Stop& stop) {
   Service service("perception", options, stop);
-  PerceptionService stage(service, params, body_params);
+  PerceptionService stage(service, params, body_params, choice_params, stream);
   service.run();
 }
 

@@ -8,6 +8,7 @@
 #include "core/planning/stage_clock.hpp"
 #include "services/common/time_now.hpp"
 #include "services/convert/bodies.hpp"
+#include "services/convert/choice.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
 #include "services/convert/safety.hpp"
@@ -44,6 +45,7 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
       prediction_reader_(service.node()),
       bodies_reader_(service.node()),
       gate_reader_(service.node()),
+      choice_reader_(service.node()),
       plan_(service.node()),
       search_(service.node()),
       path_(service.node()),
@@ -58,6 +60,10 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
   loop.on_newest(intention_reader_, convert,
                  [this](const IntentionAssessment& intention) { believe(intention); });
   loop.on_newest(bodies_reader_, convert, [this](const MovingBodies& bodies) { bodies_ = bodies; });
+  loop.on_newest(choice_reader_, convert, [this](const ChoiceReport& report) {
+    waits_ = report.choice.status == ChoiceStatus::kWaiting ||
+             report.choice.status == ChoiceStatus::kDoubtful;
+  });
   loop.on_newest(gate_reader_, convert, [this](const GateReport& gate) {
     flies_plans_ = flies_plan(gate.result);
     framing_ = gate.result.framing;
@@ -94,6 +100,7 @@ PlanInput PlanningService::gather(double now_s) const {
   if (bodies_) in.bodies = &*bodies_;
   in.flies_plans = flies_plans_;
   in.framing = framing_;
+  in.waits = waits_;
   return in;
 }
 

@@ -10,6 +10,7 @@
 #include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
 #include "foretrack_msgs/msg/SafetyState.h"
+#include "foretrack_msgs/msg/TargetChoice.h"
 #include "foretrack_msgs/msg/TargetIntention.h"
 #include "foretrack_msgs/msg/TargetPrediction.h"
 #include "foretrack_msgs/msg/TargetSearch.h"
@@ -46,6 +47,7 @@ class PlanningService {
   Reader<topics::TargetPrediction> prediction_reader_;
   Reader<topics::MovingBodies> bodies_reader_;
   Reader<topics::SafetyState> gate_reader_;
+  Reader<topics::TargetChoice> choice_reader_;
   Writer<topics::PlannedTrajectory> plan_;
   Writer<topics::TargetSearch> search_;
   Writer<topics::PlanPath> path_;
@@ -57,6 +59,7 @@ class PlanningService {
   std::optional<MovingBodies> bodies_;
   bool flies_plans_ = true;  // until a gate says otherwise
   Framing framing_;          // as it was ordered
+  bool waits_ = false;       // nobody is to be followed now, or an operator is asked who it is
   double planned_s_ = -1e9;
   double search_told_s_ = -1e9;
   SearchSummary summary_;

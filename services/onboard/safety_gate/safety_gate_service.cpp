@@ -35,6 +35,14 @@ std::filesystem::path memory_file_of(const ServiceOptions& options) {
          fmt::format("gate-{}-{}", options.domain_id, options.names.vehicle);
 }
 
+// What the station's page shows before a take-off, and how far its sliders go.
+void tell_operators(Health& health, SafetyParams params) {
+  for (const ParamRow& row : rows(params))
+    if (row.name.ends_with("_reaction") || row.name.starts_with("framing_") ||
+        row.name == "battery_reserve" || row.name == "link_timeout_s")
+      health.set_fact(std::string(row.name), text_of(row));
+}
+
 }  // namespace
 
 SafetyGateService::SafetyGateService(Service& service, const SafetyParams& params, bool dry_run,
@@ -51,6 +59,7 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
       order_reader_(service.node()),
       report_(service.node()) {
   remember_start(memory_file);
+  tell_operators(service.health(), params);
   vehicle_.pin_writer(kSilence_s);
   plan_reader_.pin_writer(kSilence_s);
   map_reader_.pin_writer(kMapSilence_s);

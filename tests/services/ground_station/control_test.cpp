@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <fstream>
+#include <functional>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "services/ground_station/api/api.hpp"
 #include "tests/support/folder.hpp"
@@ -55,8 +61,13 @@ TEST(Tokens, KnowsEachOperatorByHerOwn) {
 
 struct Desk {
   explicit Desk(bool token_to_read = false)
-      : api({true, token_to_read, folder.path / "recordings"}, tokens, audit, nullptr, recorder,
-            [] { return std::string(R"({"server": {}})"); }) {}
+      : api(
+            {true, token_to_read, folder.path / "recordings"}, tokens, audit, nullptr, recorder,
+            [] { return std::string(R"({"server": {}})"); },
+            [this](std::function<void()> work) {
+              const std::lock_guard lock(mutex);
+              posted.push_back(std::move(work));
+            }) {}
 
   Response ask(const std::string& method, const std::string& path, const std::string& body = {},
                const std::string& token = {}) {
@@ -73,6 +84,20 @@ struct Desk {
       response.status = -1;
     return response;
   }
+  /// The answer to what is made in another thread.
+  Response ask_and_wait(const std::string& path) {
+    Request request;
+    request.method = "GET";
+    request.path = path;
+    std::optional<Response> response;
+    api.handle(
+        request, [&](Response r) { response = std::move(r); }, now_s);
+    while (!response) {
+      const std::lock_guard lock(mutex);
+      for (const auto& work : std::exchange(posted, {})) work();
+    }
+    return *response;
+  }
   RecorderOptions options() const {
     RecorderOptions o;
     o.folder = folder.path / "recordings";
@@ -84,8 +109,37 @@ struct Desk {
   Audit audit{folder.path / "audit"};
   Recorder recorder{options()};
   double now_s = 100.0;
+  std::mutex mutex;
+  std::vector<std::function<void()>> posted;  // to the server's thread
   Api api;
 };
+
+TEST(Api, TellsWhatARecordingHoldsAndNothingFromElsewhere) {
+  Desk desk;
+  const auto recordings = desk.options().folder;
+  std::filesystem::create_directories(recordings);
+  std::ofstream(recordings / "torn.mcap") << "no recording";
+  std::ofstream(desk.folder.path / "secret.mcap") << "not to be read";
+  EXPECT_EQ(desk.ask_and_wait("/reports/torn.html").status, 422);
+  EXPECT_EQ(desk.ask_and_wait("/reports/none.html").status, 404);
+  EXPECT_EQ(desk.ask_and_wait("/reports/../secret.html").status, 404);
+  EXPECT_EQ(desk.ask_and_wait("/reports/.html").status, 404);
+  EXPECT_EQ(Desk(true).ask("GET", "/reports/torn.html").status, 401);
+  // With a good recording.
+  EXPECT_EQ(desk.recorder.start(), "");
+  Channel channel;
+  channel.id = 1;
+  channel.topic = "/a";
+  channel.encoding = "json";
+  desk.recorder.open(channel);
+  desk.recorder.samples({{1, 1'700'000'000'000'000'000, std::make_shared<const Bytes>(Bytes{1})}});
+  const std::string file = desk.recorder.status()->file;
+  desk.recorder.stop();
+  const Response page = desk.ask_and_wait("/reports/" + file.substr(0, file.size() - 5) + ".html");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_EQ(page.type, "text/html; charset=utf-8");
+  EXPECT_NE(page.body.find("No vehicle is in this recording."), std::string::npos);
+}
 
 TEST(Api, OrdersNeedAValidToken) {
   Desk desk;

@@ -3,6 +3,7 @@ import { render } from "preact";
 
 import { Page } from "./ui/page.tsx";
 import { Session } from "./ui/session.ts";
+import { loadLanguage } from "./ui/words.ts";
 
 const scheme = location.protocol === "https:" ? "wss:" : "ws:";
 const session = new Session(`${scheme}//${location.host}/ws`);
@@ -20,7 +21,9 @@ setInterval(() => {
 setInterval(() => session.changed(), 250);
 
 const root = document.getElementById("page")!;
-root.textContent = "";
-render(<Page session={session} />, root);
+void loadLanguage().then(() => {
+  root.textContent = "";
+  render(<Page session={session} />, root);
+});
 requestAnimationFrame(frame);
 Object.assign(window, { foretrack: session }); // for tests and for the curious

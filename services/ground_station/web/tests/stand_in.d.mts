@@ -8,8 +8,12 @@ export interface StandIn {
   doubtful: Set<string>;
   unconfirmed: Map<string, { command: string; operator: string; still_sent: boolean }>;
   received: string[];
+  bodies: Record<string, unknown>[];
+  chosen: Map<string, { state: number; person_id: number }>;
+  blind: Set<string>; // vehicles that send no pictures
+  painted: number;
   recordings: Map<string, Uint8Array>;
   close(): void;
 }
-export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string }):
-  Promise<StandIn>;
+export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string;
+  blind?: boolean }): Promise<StandIn>;

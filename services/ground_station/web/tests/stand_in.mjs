@@ -7,10 +7,12 @@ import { extname, join } from "node:path";
 import { WebSocketServer } from "ws";
 
 import { flatIdl } from "./flat_idl.mjs";
-import { diagnosticsOf, encode, samplesAt, schemaNameOf, typeOf } from "./synthetic.mjs";
+import { diagnosticsOf, encode, freeFraming, missionCommand, samplesAt, schemaNameOf, typeOf,
+} from "./synthetic.mjs";
+import { pictureAt } from "./synthetic_camera.mjs";
 
 const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
-  ".svg": "image/svg+xml", ".txt": "text/plain" };
+  ".svg": "image/svg+xml", ".json": "application/json", ".txt": "text/plain" };
 const policy = "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; " +
   "worker-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:";
 
@@ -27,11 +29,15 @@ class StandIn {
   unconfirmed = new Map(); // orders that the gate does not answer, by vehicle
   band_m = [1.5, 2.5]; // that the planners keep
   received = []; // orders, as they came
+  bodies = []; // of orders that say more than their name
+  chosen = new Map(); // what perception says of who is followed, by vehicle
+  painted = 0; // pictures
   recordings = new Map(); // bytes by file name
 
-  constructor({ port = 0, vehicles = 1, dist = "dist" } = {}) {
+  constructor({ port = 0, vehicles = 1, dist = "dist", blind = false } = {}) {
     this.dist = dist;
     this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
+    this.blind = new Set(blind ? this.names : []);
     this.http = createServer((request, response) => void this.answer(request, response));
     this.sockets = new WebSocketServer({ server: this.http, path: "/ws",
       handleProtocols: () => "foxglove.websocket.v1" });
@@ -39,6 +45,8 @@ class StandIn {
     this.http.listen(port, "127.0.0.1");
     this.begin_ms = Date.now();
     this.step = 0;
+    for (const name of this.names)
+      this.channel(`/${name}/mission/command`, typeOf("mission/command"));
     this.timer = setInterval(() => this.advance(), 10);
     this.reporter = setInterval(() => this.report(), 500);
   }
@@ -77,6 +85,8 @@ class StandIn {
     socket.on("message", (data) => {
       const said = JSON.parse(data.toString());
       for (const s of said.subscriptions ?? []) subscriptions.set(s.channelId, s.id);
+      for (const id of said.subscriptionIds ?? [])
+        for (const [channel, of] of subscriptions) if (of === id) subscriptions.delete(channel);
     });
     socket.on("close", () => this.clients.delete(socket));
   }
@@ -103,12 +113,24 @@ class StandIn {
       this.names.forEach((name, index) => {
         if (this.silent.has(name)) return;
         for (const [topic, message] of samplesAt(this.step / 100, this.step, index,
-          this.orders.get(name)))
+          this.orders.get(name), this.chosen.get(name)))
           if (!this.killed.has(message.service))
             this.send(`/${name}/${topic}`, typeOf(topic),
               encode(typeOf(topic), this.troubled(name, message)));
+        if (this.step % 8 === 0 && !this.blind.has(name)) this.sendPicture(name, index);
       });
     }
+  }
+
+  // Painted only where somebody looks: that takes a while.
+  sendPicture(name, index) {
+    const channel = this.channel(`/${name}/camera/ground/image/compressed`,
+      "sensor_msgs/CompressedImage");
+    const isRead = [...this.clients.values()].some((subscribed) => subscribed.has(channel.id));
+    if (!isRead) return;
+    this.painted++;
+    for (const [topic, message] of pictureAt(this.step / 100, index))
+      this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
   }
 
   troubled(name, message) {
@@ -186,8 +208,9 @@ class StandIn {
     return { ok: true, reason: "" };
   }
 
-  command({ vehicle, command, operator }) {
+  command({ vehicle, command, operator, ...more }) {
     this.received.push(`${operator}: ${command} ${vehicle}`);
+    if (Object.keys(more).length > 0) this.bodies.push(more);
     if (this.unconfirmed.has(vehicle))
       return { ok: false, reason: "the gate is silent", answered: false };
     const holder = this.leases.get(vehicle);
@@ -199,7 +222,32 @@ class StandIn {
       this.orders.set(vehicle, { mode: 3, reason: 9, phase: 5, command_id: BigInt(id),
         command_result: 1, operator_id: operator });
     if (ok && command === "start") this.orders.delete(vehicle);
+    if (ok) this.obey(vehicle, command, more, BigInt(id), operator);
     return { ok, reason: ok ? "" : "no lease", answered: true };
+  }
+
+  obey(vehicle, command, more, command_id, operator_id) {
+    const number = (value) => value ?? NaN;
+    const order = (fields) => {
+      const answer = { command_id, command_result: 1, operator_id, ...fields };
+      this.orders.set(vehicle, { ...this.orders.get(vehicle), ...answer });
+    };
+    if (command === "follow") {
+      this.chosen.set(vehicle, { state: more.person_id > 0 ? 1 : 0, person_id: more.person_id });
+      order({ command: 10, chosen: true, person_id: more.person_id });
+    }
+    if (command === "framing")
+      order({ command: 11, framing: { ...freeFraming, distance_m: number(more.distance_m),
+        height_m: number(more.height_m), bearing_rad: number(more.bearing_rad),
+        circling_radps: more.circling_radps } });
+    if (command === "bounds") {
+      const message = missionCommand(this.step / 100, { id: command_id, command: 9, operator_id,
+        fence_m: more.fence_m.flat(), altitude_min_m: number(more.altitude_min_m),
+        altitude_max_m: number(more.altitude_max_m) });
+      this.send(`/${vehicle}/mission/command`, typeOf("mission/command"),
+        encode(typeOf("mission/command"), message));
+      order({ command: 9 });
+    }
   }
 }
 

@@ -8,4 +8,9 @@ export function safety(t: number, more?: object): object;
 export const colors_rgb: Record<string, number>;
 export function probabilities(t: number): Record<string, number>;
 export function vehicleAt(t: number, index?: number):
-  { x: number; y: number; z: number; behind: number };
+  { x: number; y: number; z: number; yaw: number; behind: number };
+export function peopleAt(t: number, index?: number):
+  { id: number; x: number; y: number; yaw: number; speed: number }[];
+export function missionCommand(t: number, more: object): object;
+export function diagnosticsOf(t: number, name: string, band: [number, number]):
+  { status: { values: { key: string; value: string }[] }[] };

@@ -4,6 +4,7 @@ import { parseIDL } from "@foxglove/omgidl-parser";
 import { MessageWriter } from "@foxglove/omgidl-serialization";
 
 import { flatIdl } from "./flat_idl.mjs";
+import { boxOf, colorInfoAt, portrait } from "./synthetic_camera.mjs";
 
 const band_m = 2;
 const walk_radps = 0.25;
@@ -15,6 +16,11 @@ const types = {
   "target/intention": "foretrack_msgs/TargetIntention",
   "target/prediction": "foretrack_msgs/TargetPrediction",
   "bodies": "foretrack_msgs/MovingBodies",
+  "target/choice": "foretrack_msgs/TargetChoice",
+  "camera/ground/image/compressed": "sensor_msgs/CompressedImage",
+  "camera/ground/camera_info": "sensor_msgs/CameraInfo",
+  "camera/color/camera_info": "sensor_msgs/CameraInfo",
+  "mission/command": "foretrack_msgs/MissionCommand",
   "plan/trajectory": "foretrack_msgs/PlannedTrajectory",
   "safety/state": "foretrack_msgs/SafetyState",
   "health": "foretrack_msgs/ServiceHealth",
@@ -119,22 +125,41 @@ function prediction(t, index) {
 const nowhere4 = new Array(4).fill(0);
 
 /** The person, and one who walks a smaller circle the other way round. */
-function bodies(t, index) {
-  const p = personAt(t, index);
+export function peopleAt(t, index = 0) {
   const [cx, cy] = [12 * (index % 4), 12 * Math.floor(index / 4)];
   const angle = -0.6 * t;
-  const other = { x: cx + 1.5 * Math.cos(angle), y: cy + 1.5 * Math.sin(angle),
-    yaw: angle - Math.PI / 2, speed: 0.9 };
-  const body = (id, followed, { x, y, yaw, speed }, places_m) => ({ id, kind: followed ? 0 : 2,
+  return [{ id: 1, ...personAt(t, index) }, { id: 2, x: cx + 1.5 * Math.cos(angle),
+    y: cy + 1.5 * Math.sin(angle), yaw: angle - Math.PI / 2, speed: 0.9 }];
+}
+
+function bodies(t, index, chosen = 1) {
+  const [p, other] = peopleAt(t, index);
+  const look = (at) => {
+    const box_px = boxOf(t, index, at);
+    return box_px ? { look_age_s: 0, box_px } : { look_age_s: -1, box_px: nowhere4 };
+  };
+  const body = (id, followed, { x, y, yaw, speed }, places_m) => ({ id, kind: 0,
     followed, position_m: [x, y, 0], velocity_mps: [speed * Math.cos(yaw), speed * Math.sin(yaw), 0],
     position_covariance_m2: [0.01, 0, 0, 0.01], velocity_covariance_m2_s2: [0.1, 0, 0, 0.1],
-    radius_m: 0.25, height_m: 1.75, place_step_s: 0.2, places_m, look_age_s: -1, box_px: nowhere4,
+    radius_m: 0.25, height_m: 1.75, place_step_s: 0.2, places_m, ...look({ x, y }),
     landmarks: [], body_yaw_rad: NaN, head_yaw_rad: NaN });
   const places = Array.from({ length: 15 }, (_, k) => {
     const { x, y } = personAt(t + 0.2 * (k + 1), index);
     return { x, y, z: 0 };
   });
-  return { header: headerOf(t), bodies: [body(1, true, p, places), body(2, false, other, [])] };
+  return { header: headerOf(t), bodies: [body(1, chosen === 1, p, places),
+    body(2, chosen === 2, other, [])] };
+}
+
+const portraits = {};
+const portraitOf = (id) => (portraits[id] ??= portrait(id));
+
+/** state: as in TargetChoice; in doubt, both are candidates. */
+function choice(t, index, { state = 1, person_id = 1 } = {}) {
+  const candidates = state === 2 ? [1, 2].map((id) => ({ person_id: id, likeness: 0.9 - 0.2 * id,
+    position_m: [0, 0, 1.2], picture: portraitOf(id) })) : [];
+  return { header: headerOf(t), state, person_id, likeness: state === 1 ? 0.93 : 0.5,
+    waits_s: state === 2 ? 8 : 0, picture: portraitOf(1), candidates };
 }
 
 function box(x, y) {
@@ -162,6 +187,16 @@ function plan(t, index, id) {
     expansions: 10, iterations: 20 };
 }
 
+export const freeFraming =
+  { distance_m: NaN, height_m: NaN, bearing_rad: NaN, circling_radps: 0 };
+
+/** As the station passes it on. */
+export function missionCommand(t, more) {
+  return { header: headerOf(t), id: 0n, command: 0, operator_id: "", lease_id: "",
+    proof: new Uint8Array(64), fence_m: [], altitude_min_m: NaN, altitude_max_m: NaN, person_id: 0,
+    framing: freeFraming, ...more };
+}
+
 export function safety(t, more = {}) {
   return { header: headerOf(t), caused_by: stampOf(t - 0.08), mode: 0, reason: 0, text: "",
     phase: 1, request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01,
@@ -170,7 +205,7 @@ export function safety(t, more = {}) {
     yaw_rate_radps: 0,
     command_id: 0n, command: 0, command_result: 0, operator_id: "", lease_operator: "",
     lease_remaining_s: 0, mission_end: 0, asked: 0, answer: 0, dry_run: false, alarm: "",
-    ...more };
+    chosen: false, person_id: 0, framing: freeFraming, ...more };
 }
 
 export function health(t, service, more = {}) {
@@ -216,14 +251,16 @@ export function diagnosticsOf(t, name, [low_m, high_m]) {
 const services = ["perception", "mapping", "prediction", "planning", "safety_gate"];
 
 /** The samples of one vehicle in step number `step` of 100 a second: [topic's name, message]. */
-export function samplesAt(t, step, index, orders = {}) {
+export function samplesAt(t, step, index, orders = {}, chosen = {}) {
   const samples = [];
   if (step % 2 === 0) samples.push(["odometry", odometry(t, index)]);
   if (step % 4 === 0)
     samples.push(["target/state", target(t, index)], ["target/intention", intention(t, index)],
-      ["target/prediction", prediction(t, index)], ["bodies", bodies(t, index)],
+      ["target/prediction", prediction(t, index)], ["bodies", bodies(t, index, chosen.person_id ?? 1)],
       ["plan/trajectory", plan(t, index, BigInt(step + 1))]);
   if (step % 5 === 0) samples.push(["safety/state", safety(t, orders)]);
+  if (step % 20 === 0) samples.push(["target/choice", choice(t, index, chosen)]);
+  if (step % 50 === 0) samples.push(colorInfoAt(t));
   if (step % 100 === 0)
     for (const service of services) samples.push(["health", health(t, service)]);
   if (step % 200 === 0) samples.push(["map/local", wallMap(t, index)]);

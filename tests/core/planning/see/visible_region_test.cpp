@@ -90,6 +90,26 @@ TEST(Shrink, LeavesItsShareOfANarrowSector) {
   EXPECT_NEAR(shrunk.bisector_rad + shrunk.half_angle_rad, 0.1 - 0.7 * 0.2 * 5.0 / 6.0, 1e-12);
 }
 
+TEST(Narrow, KeepsThePartAroundTheWantedDirection) {
+  const ViewSector part = narrow({0.5, 1.0}, 1.0, 0.3);
+  EXPECT_NEAR(part.bisector_rad, 1.0, 1e-12);
+  EXPECT_NEAR(part.half_angle_rad, 0.3, 1e-12);
+}
+
+TEST(Narrow, KeepsTheNearestPartWhereTheWantedDirectionIsNotSeen) {
+  for (const double side : {1.0, -1.0}) {
+    const ViewSector part = narrow({0.0, 1.0}, side * 2.5, 0.3);
+    EXPECT_NEAR(part.bisector_rad, side * 0.7, 1e-12);
+    EXPECT_NEAR(part.half_angle_rad, 0.3, 1e-12);
+  }
+}
+
+TEST(Narrow, LeavesANarrowSectorAsItIs) {
+  const ViewSector part = narrow({0.4, 0.1}, 2.0, 0.3);
+  EXPECT_NEAR(part.bisector_rad, 0.4, 1e-12);
+  EXPECT_NEAR(part.half_angle_rad, 0.1, 1e-12);
+}
+
 TEST(RotateInto, TurnsTheWaypointIntoTheSectorAtItsDistance) {
   const FlatContext c(known_map(empty_world(), 0.15), kRegionHeight_m);
   const Vec3 target(1.0, 0.0, 1.0), waypoint(3.0, 0.0, kRegionHeight_m);

@@ -117,6 +117,20 @@ bystanders:
   EXPECT_EQ(s.bystanders[1].walk.stops[0].at_s, 3.0);
 }
 
+TEST_F(LoadScenario, AnOperatorsOrdersComeInTheOrderOfTheirTimes) {
+  const Scenario s = load(R"(
+orders:
+  - {at_s: 9, follow: 2}
+  - {at_s: 4, distance_m: 3, bearing_rad: -1.5, circling_rad_s: 0.2}
+)");
+  ASSERT_EQ(s.orders.size(), 2u);
+  EXPECT_EQ(s.orders[0].framing,
+            (Framing{.distance_m = 3.0, .bearing_rad = -1.5, .circling_rad_s = 0.2}));
+  EXPECT_FALSE(s.orders[0].follow);
+  EXPECT_EQ(s.orders[1].at_s, 9.0);
+  EXPECT_EQ(s.orders[1].follow, 2u);
+}
+
 TEST_F(LoadScenario, StagesAnEncounterFromItsSeed) {
   const auto encounter = [&](std::uint64_t seed) {
     ScenarioOverrides o;
@@ -183,6 +197,7 @@ TEST_F(LoadScenario, RefusesWhatCannotBe) {
       {"encounter: group\nvehicle: {yaw_rad: 1}\n", "vehicle: an encounter has its own"},
       {"encounter: group\ntarget: {route_m: [[0, 0]]}\n", "an encounter has its own route"},
       {"bystanders: [{loop: true}]\n", "route_m: is needed"},
+      {"orders: [{follow: 1, height_m: 2}]\n", "either whom to follow or a framing"},
       {"sensors: {fov_gated: perhaps}\n", "expected true or false"},
       {"seed: [\n", "not YAML"},
   };

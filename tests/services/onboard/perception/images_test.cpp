@@ -47,7 +47,7 @@ class ImagesOnDds : public ::testing::Test {
   Reader<topics::TargetState> target_{neighbours_.node()};
   Reader<topics::TargetObservation> observation_{neighbours_.node()};
   Running service_{[](const ServiceOptions& options, Stop& stop) {
-    run_perception(options, PerceptionParams{}, BodyParams{}, stop);
+    run_perception(options, PerceptionParams{}, BodyParams{}, ChoiceParams{}, StreamParams{}, stop);
   }};
   TargetState newest_;
 };

@@ -4,7 +4,9 @@
 #include "core/common/random.hpp"
 #include "core/simulator/landmark_camera.hpp"
 #include "services/convert/bodies.hpp"
+#include "services/convert/choice.hpp"
 #include "services/convert/image.hpp"
+#include "services/convert/safety.hpp"
 #include "services/convert/target.hpp"
 #include "tests/services/onboard/neighbours.hpp"
 
@@ -59,7 +61,7 @@ class PerceptionOnDds : public ::testing::Test {
   Writer<topics::TargetObservation> observation_{neighbours_.node()};
   Reader<topics::TargetState> target_{neighbours_.node()};
   Running service_{[](const ServiceOptions& options, Stop& stop) {
-    run_perception(options, PerceptionParams{}, BodyParams{}, stop);
+    run_perception(options, PerceptionParams{}, BodyParams{}, ChoiceParams{}, StreamParams{}, stop);
   }};
   TargetState newest_;
   int heard_ = 0;
@@ -185,6 +187,93 @@ TEST_F(PerceptionOnDds, RefusesGarbageAndGoesOn) {
       },
       send_garbage));
   ASSERT_TRUE(neighbours_.until([&] { return says(TrackStatus::kTracking); }, [&] { feed(); }));
+}
+
+// Ada is observed at (3, 0.5), Bob is sighted by a detector at (4, -2); a gate says what was
+// ordered.
+class ChoiceOnDds : public PerceptionOnDds {
+ protected:
+  void feed_both() {
+    feed();
+    BodySightings seen;
+    seen.stamp_s = neighbours_.now_s();
+    seen.add({BodyKind::kPerson, {4.0, -2.0, 0.0}, 0.01 * Mat2::Identity()});
+    to_idl(seen, sightings_.sample());
+    sightings_.write();
+    gate_.stamp_s = neighbours_.now_s();
+    to_idl(gate_, gate_writer_.sample());
+    gate_writer_.write();
+  }
+  void order(std::uint32_t person) {
+    gate_.order = MissionOrder::kFollow;
+    gate_.result.command_result = MissionResult::kAccepted;
+    ++gate_.result.command_id;
+    gate_.result.person = {true, person};
+  }
+  bool until_it(const std::function<bool()>& condition) {
+    return neighbours_.until(
+        [&] {
+          says(TrackStatus::kNone);
+          choice_reader_.take_each([this](const auto& message) {
+            const auto report = from_idl(message);
+            ASSERT_TRUE(report) << report.fault().text;
+            choice_ = report->choice;
+            ++choices_;
+          });
+          bodies_reader_.take_each([this](const auto& message) { bodies_ = *from_idl(message); });
+          return condition();
+        },
+        [&] { feed_both(); });
+  }
+  std::uint32_t number_near(const Vec2& place_m) const {
+    for (const MovingBody& body : bodies_.all())
+      if ((body.position_enu_m.head<2>() - place_m).norm() < 0.5) return body.id;
+    return 0;
+  }
+  bool follows(ChoiceStatus status, std::uint32_t person) const {
+    return choice_.status == status && choice_.person_id == person;
+  }
+
+  Writer<topics::BodySightings> sightings_{neighbours_.node()};
+  Writer<topics::SafetyState> gate_writer_{neighbours_.node()};
+  Reader<topics::TargetChoice> choice_reader_{neighbours_.node()};
+  Reader<topics::MovingBodies> bodies_reader_{neighbours_.node()};
+  GateReport gate_;
+  ChoiceResult choice_;
+  MovingBodies bodies_;
+  int choices_ = 0;
+};
+
+TEST_F(ChoiceOnDds, FollowsWhomTheGateWasToldToAndTellsIt) {
+  const Vec2 ada_m(3.0, 0.5), bob_m(4.0, -2.0);
+  ASSERT_TRUE(until_it([&] { return number_near(ada_m) != 0 && number_near(bob_m) != 0; }));
+  const std::uint32_t ada = number_near(ada_m), bob = number_near(bob_m);
+  ASSERT_TRUE(until_it([&] { return follows(ChoiceStatus::kFollowing, ada); }));
+  order(bob);
+  ASSERT_TRUE(until_it([&] { return follows(ChoiceStatus::kFollowing, bob); }));
+  ASSERT_TRUE(until_it(
+      [&] { return (newest_.position_enu_m.head<2>() - bob_m).norm() < 0.3 && newest_.usable(); }));
+  EXPECT_EQ(number_near(ada_m), ada) << "she keeps her number";
+  const int before = choices_;
+  const double begin_s = neighbours_.now_s();
+  ASSERT_TRUE(until_it([&] { return neighbours_.now_s() - begin_s > 1.0; }));
+  EXPECT_GE(choices_ - before, 3) << "five times a second";
+  EXPECT_LE(choices_ - before, 7);
+  order(0);
+  ASSERT_TRUE(until_it([&] { return follows(ChoiceStatus::kWaiting, 0); }));
+  EXPECT_TRUE(until_it([&] { return newest_.status == TrackStatus::kNone; }));
+  order(ada);
+  EXPECT_TRUE(until_it([&] { return follows(ChoiceStatus::kFollowing, ada); }));
+}
+
+TEST_F(ChoiceOnDds, WhatTheGateRemembersOfBeforeMeansNothingToANewPerception) {
+  gate_.order = MissionOrder::kLease;
+  gate_.result.person = {true, 2};
+  ASSERT_TRUE(until_it([&] { return choice_.status == ChoiceStatus::kFollowing; }));
+  const double begin_s = neighbours_.now_s();
+  ASSERT_TRUE(until_it([&] { return neighbours_.now_s() - begin_s > 1.0; }));
+  EXPECT_LT((newest_.position_enu_m.head<2>() - Vec2(3.0, 0.5)).norm(), 0.3)
+      << "numbers are given anew";
 }
 
 }  // namespace

@@ -97,7 +97,9 @@ class SafetyGateOnDds : public ::testing::Test {
                           .stamp_s = neighbours_.now_s(),
                           .order = order,
                           .operator_name = name,
-                          .bounds = bounds_},
+                          .bounds = bounds_,
+                          .person_id = person_id_,
+                          .framing = framing_},
            order_.sample());
     if (key) key->sign("uav1", order_.sample());
     order_.write();
@@ -183,6 +185,8 @@ class SafetyGateOnDds : public ::testing::Test {
   std::vector<AutopilotCommand> asked_;  // of the flight controller, so far
   std::uint64_t plan_id_ = 100, order_id_ = 0;
   FlightBounds bounds_;            // of an order to set them
+  std::uint32_t person_id_ = 0;    // of an order to follow
+  Framing framing_;                // of an order to set it
   std::function<void()> besides_;  // what else comes at 50 Hz
   GateReport report_;
   std::string text_;
@@ -459,6 +463,39 @@ TEST_F(SafetyGateOnDds, BoundsAreSetUnderTheLeaseAloneAndOutliveAKill) {
   bounds_ = {};
   EXPECT_TRUE(under_lease(MissionOrder::kSetBounds, MissionResult::kAccepted)) << text_;
   EXPECT_TRUE(until([&] { return says(SafetyMode::kTrack); })) << text_;
+}
+
+TEST_F(SafetyGateOnDds, WhomToFollowAndFramingAreToldAndOutliveAKill) {
+  const LeaseKey ada;
+  const auto under_lease = [&](MissionOrder order, MissionResult result) {
+    return ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada) &&
+           ordered(order, result, &ada);
+  };
+  Writer<topics::MovingBodies> bodies(neighbours_.node());
+  besides_ = [&] {
+    MovingBodies people;
+    people.stamp_s = neighbours_.now_s();
+    people.add({.id = 7, .kind = BodyKind::kPerson, .stamp_s = people.stamp_s});
+    to_idl(people, {}, bodies.sample());
+    bodies.write();
+  };
+  ASSERT_TRUE(until([&] { return says(MissionPhase::kIdle); }));
+  person_id_ = 7;
+  EXPECT_TRUE(ordered(MissionOrder::kFollow, MissionResult::kRefusedUnproved));
+  EXPECT_TRUE(under_lease(MissionOrder::kFollow, MissionResult::kAccepted)) << text_;
+  EXPECT_EQ(report_.result.person, (PersonChoice{true, 7}));
+  person_id_ = 8;
+  EXPECT_TRUE(under_lease(MissionOrder::kFollow, MissionResult::kRefusedPerson)) << text_;
+  framing_ = {.distance_m = 3.0, .bearing_rad = 1.0};
+  EXPECT_TRUE(under_lease(MissionOrder::kSetFraming, MissionResult::kAccepted)) << text_;
+  EXPECT_EQ(report_.result.framing, framing_);
+  framing_ = {.distance_m = 0.3};
+  EXPECT_TRUE(under_lease(MissionOrder::kSetFraming, MissionResult::kRefusedFraming)) << text_;
+  start_gate();
+  reports_ = 0;
+  ASSERT_TRUE(until([&] { return reports_ > 5; }));
+  EXPECT_EQ(report_.result.person, (PersonChoice{true, 7}));
+  EXPECT_EQ(report_.result.framing, (Framing{.distance_m = 3.0, .bearing_rad = 1.0}));
 }
 
 // ── eyes ──

@@ -5,7 +5,7 @@ import { type Channel as Announced, FoxgloveClient, type IWebSocket, type Messag
 
 import { SampleQueue } from "./queue.ts";
 import type { Channel, RawSample } from "./sample.ts";
-import { readingOf } from "./topics.ts";
+import { isOnDemand, readingOf } from "./topics.ts";
 
 const protocols = ["foxglove.websocket.v1", "foxglove.sdk.v1"];
 const retry_ms = 1000;
@@ -21,6 +21,8 @@ export class LiveLink {
   private socket: WebSocket | null = null;
   private readonly queue = new SampleQueue();
   private readonly subscribed = new Map<number, { channel: Channel; channelId: number }>();
+  private readonly offered = new Map<string, Announced>(); // on demand, by topic
+  private wanted = ""; // of those
   private quietTicks = 0; // seconds without a word; counted, as a page that stood still is not deaf
   private closed = false;
   private readonly timer: ReturnType<typeof setInterval>;
@@ -42,6 +44,19 @@ export class LiveLink {
     return Date.now() / 1000 + this.ahead_s;
   }
 
+  /** Of the topics that are read on demand, the one that is read from now on; "": none. */
+  want(topic: string): void {
+    if (topic === this.wanted) return;
+    this.wanted = topic;
+    for (const [id, { channel }] of this.subscribed) {
+      if (!isOnDemand(channel.topic)) continue;
+      this.client?.unsubscribe(id);
+      this.subscribed.delete(id);
+    }
+    const offer = this.offered.get(topic);
+    if (offer && this.client) this.subscribe(this.client, offer);
+  }
+
   close(): void {
     this.closed = true;
     clearInterval(this.timer);
@@ -51,6 +66,7 @@ export class LiveLink {
   private connect(): void {
     if (this.closed) return;
     this.subscribed.clear();
+    this.offered.clear();
     this.quietTicks = 0;
     const socket = new WebSocket(this.url(), protocols);
     const client = new FoxgloveClient({ ws: socket as unknown as IWebSocket });
@@ -81,6 +97,11 @@ export class LiveLink {
 
   private announce(client: FoxgloveClient, c: Announced): void {
     if (readingOf(c.topic) === undefined) return;
+    if (isOnDemand(c.topic)) this.offered.set(c.topic, c);
+    if (!isOnDemand(c.topic) || c.topic === this.wanted) this.subscribe(client, c);
+  }
+
+  private subscribe(client: FoxgloveClient, c: Announced): void {
     const channel: Channel = { topic: c.topic, encoding: c.encoding, schemaName: c.schemaName,
       schemaEncoding: c.schemaEncoding ?? (c.encoding === "cdr" ? "ros2msg" : ""),
       schema: c.schema };
@@ -91,6 +112,13 @@ export class LiveLink {
   private forget(channelId: number): void {
     for (const [id, of] of this.subscribed)
       if (of.channelId === channelId) this.subscribed.delete(id);
+    for (const [topic, { id }] of this.offered)
+      if (id === channelId) this.offered.delete(topic);
+  }
+
+  /** Whether there is such a topic, read or not. */
+  offers(topic: string): boolean {
+    return this.offered.has(topic);
   }
 
   // Of the map's two topics the page needs one, and a cloud once a second is the lighter.

@@ -5,7 +5,7 @@ export interface Time { sec: number; nanosec?: number; nsec?: number }
 export interface Header { stamp: Time; frame_id: string }
 export type Vec3 = ArrayLike<number>; // three numbers
 
-interface Xyz { x: number; y: number; z: number }
+export interface Xyz { x: number; y: number; z: number }
 export interface Quaternion extends Xyz { w: number }
 export interface Pose { position: Xyz; orientation: Quaternion }
 
@@ -36,6 +36,7 @@ export interface CameraModel {
   cy_px: number;
   pose_body: Pose;
 }
+export interface Landmark { image_x_px: number; image_y_px: number; visibility: number }
 export interface TargetObservation { header: Header; kind: number; camera: CameraModel }
 
 export interface IntentionScore { name: string; color_rgb: number; probability: number }
@@ -78,8 +79,51 @@ export interface MovingBody {
   height_m: number;
   place_step_s: number;
   places_m: Xyz[];
+  look_age_s?: number; // these are missing in older recordings
+  box_px?: ArrayLike<number>;
+  landmarks?: Landmark[];
 }
-export interface MovingBodies { header: Header; bodies: MovingBody[] }
+export interface MovingBodies { header: Header; bodies: MovingBody[]; camera?: number }
+
+export interface ChoiceCandidate {
+  person_id: number;
+  likeness: number;
+  position_m: Vec3;
+  picture: Uint8Array;
+}
+export interface TargetChoice {
+  header: Header;
+  state: number;
+  person_id: number;
+  likeness: number;
+  waits_s: number;
+  picture: Uint8Array;
+  candidates: ChoiceCandidate[];
+}
+
+export interface CompressedImage { header: Header; format: string; data: Uint8Array }
+export interface CameraInfo {
+  header: Header;
+  width: number;
+  height: number;
+  distortion_model: string;
+  d: ArrayLike<number>;
+  k: ArrayLike<number>; // row by row
+}
+export interface TransformStamped {
+  header: Header;
+  child_frame_id: string;
+  transform: { translation: Xyz; rotation: Quaternion };
+}
+export interface TransformMessage { transforms: TransformStamped[] }
+
+/** NaN: as the parameters say; of the bearing: free. */
+export interface TargetFraming {
+  distance_m: number;
+  height_m: number;
+  bearing_rad: number;
+  circling_radps: number;
+}
 
 export interface TrajectoryPiece {
   duration_s: number;
@@ -145,6 +189,10 @@ export interface SafetyState {
   mission_end?: number;
   dry_run?: boolean;
   alarm?: string;
+  lease_remaining_s?: number;
+  chosen?: boolean;
+  person_id?: number;
+  framing?: TargetFraming;
 }
 
 export interface MissionCommand {
@@ -153,6 +201,11 @@ export interface MissionCommand {
   command: number;
   operator_id: string;
   lease_id: string;
+  fence_m?: ArrayLike<number>; // these are missing in older recordings
+  altitude_min_m?: number;
+  altitude_max_m?: number;
+  person_id?: number;
+  framing?: TargetFraming;
 }
 
 export interface ServiceHealth {

@@ -13,18 +13,30 @@ const readings: Record<string, Reading> = {
   "bodies": "newest",
   "plan/trajectory": "newest",
   "target/search": "newest",
+  "target/choice": "newest",
+  "camera/ground/image/compressed": "newest",
+  "camera/ground/camera_info": "newest",
+  "camera/color/camera_info": "slow",
   "safety/state": "all",
   "mission/command": "all",
   "health": "all",
   "map/points": "slow",
   "map/local": "slow",
   "diagnostics": "all",
+  "tf_static": "all",
   "fmu/out/battery_status": "slow",
   "station/status": "all",
 };
 
 /** Sent once or seldom and good until the next: a replay seeks the last one before its place. */
-export const lasting = ["map/points", "map/local", "target/observation", "fmu/out/battery_status"];
+export const lasting = ["map/points", "map/local", "target/observation", "fmu/out/battery_status",
+  "camera/color/camera_info", "tf_static"];
+
+/** Read only while somebody looks: it is most of the flow. */
+export const pictureTopic = "camera/ground/image/compressed";
+export function isOnDemand(topic: string): boolean {
+  return partsOf(topic).name === pictureTopic;
+}
 
 export interface TopicParts { vehicle: string; name: string }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages' enumerators in words; the same words as the terminal view's.
+import { said, t } from "../ui/words.ts";
 
 const track = ["never seen", "tracking", "coasting", "lost"];
 const prediction = ["ok", "no target", "target blocked", "search exhausted"];
@@ -13,9 +14,11 @@ const result = ["none", "accepted", "refused: too late", "refused: repeated",
   "refused: not from this phase", "refused: somebody else has control",
   "refused: stamped in the future", "refused: no proof that it comes from who has control",
   "refused: it could not be written down", "refused: these are no bounds",
-  "acts, and is being written down", "accepted, but a restart would forget it"];
+  "acts, and is being written down", "accepted, but a restart would forget it",
+  "refused: nobody of that number is there", "refused: not safe, or no framing"];
 const command = ["start", "hold", "resume", "return", "land", "stop", "take control",
-  "give control back", "take off", "set bounds"];
+  "give control back", "take off", "set bounds", "follow a person", "set the framing"];
+const choice = ["nobody is followed yet", "following", "in doubt", "searching", "lost"];
 const level = ["ok", "warning", "error", "stale"];
 const battery = ["ok", "low", "critical", "emergency", "failed"];
 
@@ -74,7 +77,11 @@ const missionEnd = [
   "nothing is heard from the operator",
 ];
 
-const from = (words: string[]) => (index: number): string => words[index] ?? "unknown";
+const from = (words: string[]) => (index: number): string => t(words[index] ?? said("unknown"));
+
+/** All of them, for whoever translates. */
+export const allWords = [track, prediction, plan, search, mode, service, phase, result, command,
+  choice, level, battery, planReason, gateReason, missionEnd].flat().filter((word) => word !== "");
 
 export const trackWord = from(track);
 export const predictionWord = from(prediction);
@@ -85,6 +92,7 @@ export const serviceWord = from(service);
 export const phaseWord = from(phase);
 export const resultWord = from(result);
 export const commandWord = from(command);
+export const choiceWord = from(choice);
 export const levelWord = from(level);
 export const batteryWord = from(battery);
 export const explainPlan = from(planReason);
@@ -97,7 +105,10 @@ export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as c
 export const ServiceState = { running: 0, degraded: 1, stopping: 2 } as const;
 /** A lease is renewed by an order every second. */
 export const leaseCommand = 6;
+export const boundsCommand = 9;
 export const Result = { accepted: 1, pending: 10, acceptedUnwritten: 11 } as const;
+export const personKind = 0;
+export const Choice = { waiting: 0, following: 1, doubtful: 2, searching: 3, lost: 4 } as const;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;
 
 /** Reasons of the gate say themselves that they refuse. */
@@ -105,7 +116,7 @@ export function outcome(result: string, reason: string): string {
   return !reason || reason.startsWith(result) ? reason || result : `${result}: ${reason}`;
 }
 
-export const severalPeople = "several people could be the one who is followed";
+export const severalPeople = said("several people could be the one who is followed");
 
 /** Perception's doubt, in its own words. */
 export function saysSeveralPeople(health: { state: number; last_error: string }): boolean {

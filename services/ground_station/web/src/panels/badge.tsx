@@ -3,6 +3,7 @@
 import type { ComponentChildren } from "preact";
 
 import type { Severity } from "../store/state.ts";
+import { t } from "../ui/words.ts";
 
 export type Mood = "good" | "info" | "warning" | "alarm" | "quiet";
 
@@ -21,6 +22,7 @@ export function Aged({ age_s, limit_s, children }:
     { age_s: number; limit_s: number; children: ComponentChildren }) {
   const stale = age_s < 0 || age_s > limit_s;
   if (!stale) return <span class="aged">{children}</span>;
-  const text = age_s < 0 ? "never" : `${age_s < 10 ? age_s.toFixed(1) : age_s.toFixed(0)} s old`;
+  const text = age_s < 0 ? t("never")
+    : t("{age} old", { age: `${age_s < 10 ? age_s.toFixed(1) : age_s.toFixed(0)} s` });
   return <span class="aged stale">{children} <em class="age">{text}</em></span>;
 }

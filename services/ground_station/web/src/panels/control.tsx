@@ -5,12 +5,13 @@ import { outcome, resultWord } from "../data/words.ts";
 import type { StationVehicle } from "../data/station.ts";
 import { bytes } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { Commands } from "./commands.tsx";
 import { HoldButton } from "./stop.tsx";
 
 function Token({ session }: { session: Session }) {
   return (
-    <label>token <input type="password" aria-label="token" value={session.operator.token}
+    <label>{t("token")} <input type="password" aria-label="token" value={session.operator.token}
       onChange={(event) => {
         session.operator.setToken(event.currentTarget.value);
         session.changed();
@@ -26,8 +27,8 @@ function HandOver({ session, vehicle }: { session: Session; vehicle: StationVehi
       const to = new FormData(event.currentTarget).get("to");
       if (typeof to === "string" && to) void lease(session, vehicle.name, "hand_over", to.trim());
     }}>
-      <input name="to" placeholder="to whom" aria-label={`hand over ${vehicle.name} to`} />
-      <button>Hand over</button>
+      <input name="to" placeholder={t("to whom")} aria-label={`hand over ${vehicle.name} to`} />
+      <button>{t("Hand over")}</button>
     </form>
   );
 }
@@ -38,12 +39,12 @@ function Row({ session, vehicle }: { session: Session; vehicle: StationVehicle }
   return (
     <tr>
       <td>{vehicle.name}</td>
-      <td data-of="control" data-field={`lease-${vehicle.name}`}>
-        {held ? `${held.operator}, ${Math.max(0, held.expires_s).toFixed(0)} s` : "free"}</td>
-      <td data-of="last order">{last ? `${last.command} by ${last.operator}` : "–"}</td>
-      <td data-of="station" data-field={`result-${vehicle.name}`}>
+      <td data-of={t("control")} data-field={`lease-${vehicle.name}`}>
+        {held ? `${held.operator}, ${Math.max(0, held.expires_s).toFixed(0)} s` : t("free")}</td>
+      <td data-of={t("last order")}>{last ? t("{order} by {who}", { order: last.command, who: last.operator }) : "–"}</td>
+      <td data-of={t("station")} data-field={`result-${vehicle.name}`}>
         {last ? outcome(last.result, last.reason) : "–"}</td>
-      <td data-of="safety gate">{gate && gate.command_id > 0n
+      <td data-of={t("safety gate")}>{gate && gate.command_id > 0n
         ? `${resultWord(gate.command_result)} (${gate.operator_id || "–"})` : "–"}</td>
       <td><HandOver session={session} vehicle={vehicle} /></td>
     </tr>
@@ -54,14 +55,14 @@ function Clients({ session }: { session: Session }) {
   const clients = session.liveState.station?.message.clients ?? [];
   return (
     <table class="fold" aria-label="clients">
-      <thead><tr><th>watching</th><th>topics</th><th>flow</th><th>waiting</th><th>left out</th></tr>
+      <thead><tr><th>{t("watching")}</th><th>{t("topics")}</th><th>{t("flow")}</th><th>{t("waiting")}</th><th>{t("left out")}</th></tr>
       </thead>
       <tbody>{clients.map((c) => (
         <tr key={c.id}>
-          <td>{c.address}</td><td class="n" data-of="topics">{c.subscriptions}</td>
-          <td class="n" data-of="flow">{bytes(c.bytes_s)}/s</td>
-          <td class="n" data-of="waiting">{bytes(c.waiting_bytes)}</td>
-          <td class="n" data-of="left out">{c.dropped}</td>
+          <td>{c.address}</td><td class="n" data-of={t("topics")}>{c.subscriptions}</td>
+          <td class="n" data-of={t("flow")}>{bytes(c.bytes_s)}/s</td>
+          <td class="n" data-of={t("waiting")}>{bytes(c.waiting_bytes)}</td>
+          <td class="n" data-of={t("left out")}>{c.dropped}</td>
         </tr>
       ))}</tbody>
     </table>
@@ -77,13 +78,13 @@ export function ControlPanel({ session }: { session: Session }) {
         <Token session={session} />
       </div>
       <table class="fold">
-        <thead><tr><th>vehicle</th><th>control</th><th>last order</th><th>station</th>
-          <th>safety gate</th><th /></tr></thead>
+        <thead><tr><th>{t("vehicle")}</th><th>{t("control")}</th><th>{t("last order")}</th><th>{t("station")}</th>
+          <th>{t("safety gate")}</th><th /></tr></thead>
         <tbody>{vehicles.map((v) => <Row key={v.name} session={session} vehicle={v} />)}</tbody>
       </table>
       <Clients session={session} />
       {vehicles.length > 1 ? (
-        <HoldButton label="STOP all"
+        <HoldButton label={t("STOP all")}
           act={() => vehicles.forEach((v) => void order(session, v.name, "stop"))} />
       ) : null}
     </div>

@@ -4,6 +4,7 @@ import { sortedAlarms } from "../store/alarms.ts";
 import type { Alarm } from "../store/state.ts";
 import { timeOfDay } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { SeveritySign } from "./badge.tsx";
 
 const shownEvents = 200;
@@ -16,10 +17,10 @@ function AlarmRow({ session, alarm }: { session: Session; alarm: Alarm }) {
       <td><SeveritySign severity={alarm.severity} /></td>
       <td>{timeOfDay(alarm.since_s)}</td>
       <td>{alarm.vehicle}</td>
-      <td>{alarm.text}{over ? ` (over at ${timeOfDay(alarm.cleared_s!)})` : ""}</td>
-      <td>{alarm.acknowledged ? "acknowledged" : (
+      <td>{alarm.text}{over ? ` (${t("over at {time}", { time: timeOfDay(alarm.cleared_s!) })})` : ""}</td>
+      <td>{alarm.acknowledged ? t("acknowledged") : (
         <button onClick={() => session.tell({ kind: "acknowledge", key: alarm.key })}>
-          Acknowledge</button>
+          {t("Acknowledge")}</button>
       )}</td>
     </tr>
   );
@@ -32,16 +33,16 @@ export function EventsPanel({ session }: { session: Session }) {
   return (
     <div class="events">
       {alarms.some((a) => !a.acknowledged) ? (
-        <div class="row"><b>Alarms</b>
+        <div class="row"><b>{t("Alarms")}</b>
           <button onClick={() => session.tell({ kind: "acknowledge", key: "all" })}>
-            Acknowledge all (A)</button></div>
+            {t("Acknowledge all (A)")}</button></div>
       ) : null}
       {alarms.length > 0 ? (
-        <table class="alarmlist" aria-label="alarms"><tbody>
+        <table class="alarmlist" aria-label={t("alarms")}><tbody>
           {alarms.map((a) => <AlarmRow key={a.key} session={session} alarm={a} />)}
         </tbody></table>
       ) : null}
-      <table aria-label="events"><tbody>
+      <table aria-label={t("events")}><tbody>
         {events.map((event) => (
           <tr key={event.id} class={event.severity}>
             <td><SeveritySign severity={event.severity} /></td>
@@ -51,7 +52,7 @@ export function EventsPanel({ session }: { session: Session }) {
           </tr>
         ))}
       </tbody></table>
-      {events.length === 0 ? <p class="empty">Nothing has happened yet.</p> : null}
+      {events.length === 0 ? <p class="empty">{t("Nothing has happened yet.")}</p> : null}
     </div>
   );
 }

@@ -5,8 +5,10 @@ import { useEffect, useState } from "preact/hooks";
 import type { Recording } from "../data/station.ts";
 import { bytes } from "../ui/format.ts";
 import { openRecording } from "../ui/open_recording.ts";
+import { openReport } from "../ui/open_report.ts";
 import { record } from "../ui/orders.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 
 function useRecordings(session: Session): { list: Recording[]; problem: string } {
   const [list, setList] = useState<Recording[]>([]);
@@ -34,8 +36,8 @@ export function RecordingsPanel({ session }: { session: Session }) {
     <div class="recordings">
       <div class="row">
         <button onClick={() => void record(session, active ? "stop" : "start")}>
-          {active ? "Stop recording" : "Record"}</button>
-        <label class="file">Open a file …
+          {active ? t("Stop recording") : t("Record")}</button>
+        <label class="file">{t("Open a file …")}
           <input type="file" accept=".mcap" aria-label="open a recording"
             onChange={(event) => {
               const file = event.currentTarget.files?.[0];
@@ -48,14 +50,15 @@ export function RecordingsPanel({ session }: { session: Session }) {
           <tr key={r.file}>
             <td>{r.file}</td>
             <td class="n">{bytes(r.bytes)}</td>
-            <td><button onClick={() => void openRecording(session, r.file)}>Replay</button>
-              {" "}<a href={`recordings/${encodeURIComponent(r.file)}`} download>Download</a></td>
+            <td><button onClick={() => void openRecording(session, r.file)}>{t("Replay")}</button>
+              {" "}<button onClick={() => void openReport(session, r.file)}>{t("Report")}</button>
+              {" "}<a href={`recordings/${encodeURIComponent(r.file)}`} download>{t("Download")}</a></td>
           </tr>
         ))}
       </tbody></table>
       {list.length === 0 ? (
-        <p class="empty">{problem ? `The station lists none: ${problem}`
-          : "No recordings yet. An MCAP file can also be dropped on the page."}</p>
+        <p class="empty">{problem ? t("The station lists none: {why}", { why: problem })
+          : t("No recordings yet. An MCAP file can also be dropped on the page.")}</p>
       ) : null}
     </div>
   );

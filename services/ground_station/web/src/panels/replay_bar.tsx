@@ -8,6 +8,7 @@ import type { Replay } from "../data/replay.ts";
 import { type Bookmark, loadBookmarks, saveBookmarks } from "../ui/bookmarks.ts";
 import { duration, timeOfDay } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
@@ -25,8 +26,8 @@ function GoTo({ replay }: { replay: Replay }) {
       replay.seek(time_s);
       event.currentTarget.querySelector("input")?.blur(); // the keys are the replay's again
     }}>
-      <input name="time" class={bad ? "bad" : ""} size={9} placeholder="go to 1:05"
-        aria-label="go to" title="seconds or m:ss from the start, or hh:mm:ss UTC" />
+      <input name="time" class={bad ? "bad" : ""} size={9} placeholder={t("go to 1:05")}
+        aria-label={t("go to")} title={t("seconds or m:ss from the start, or hh:mm:ss UTC")} />
     </form>
   );
 }
@@ -37,7 +38,7 @@ function Scrub({ replay, marks }: { replay: Replay; marks: Bookmark[] }) {
     `${(100 * (time_s - begin_s)) / (end_s - begin_s || 1)}%`;
   return (
     <div class="scrub">
-      <input type="range" aria-label="time" min={0} max={end_s - begin_s} step={0.01}
+      <input type="range" aria-label={t("time")} min={0} max={end_s - begin_s} step={0.01}
         value={replay.time_s() - begin_s}
         onInput={(event) => replay.seek(begin_s + Number(event.currentTarget.value))} />
       {marks.map((m) => (
@@ -61,13 +62,13 @@ export function ReplayBar({ session, mark }: Props) {
   };
   const { clock } = replay;
   return (
-    <section class="replay" aria-label="replay">
-      <span class="what" title={replay.recording.name}>REPLAY {replay.recording.name}</span>
-      <button onClick={() => replay.step(-0.1)} aria-label="step back">◀▏</button>
+    <section class="replay" aria-label={t("replay")}>
+      <span class="what" title={replay.recording.name}>{t("REPLAY")} {replay.recording.name}</span>
+      <button onClick={() => replay.step(-0.1)} aria-label={t("step back")}>◀▏</button>
       <button onClick={() => replay.play(!clock.playing)} class="play"
-        aria-label={clock.playing ? "pause" : "play"}>{clock.playing ? "❚❚" : "▶"}</button>
-      <button onClick={() => replay.step(0.1)} aria-label="step">▕▶</button>
-      <select aria-label="speed" value={clock.speed}
+        aria-label={clock.playing ? t("pause") : t("play")}>{clock.playing ? "❚❚" : "▶"}</button>
+      <button onClick={() => replay.step(0.1)} aria-label={t("step")}>▕▶</button>
+      <select aria-label={t("speed")} value={clock.speed}
         onChange={(event) => replay.setSpeed(Number(event.currentTarget.value))}>
         {speeds.map((speed) => <option key={speed} value={speed}>{speed}×</option>)}
       </select>
@@ -76,7 +77,7 @@ export function ReplayBar({ session, mark }: Props) {
         duration(clock.end_s - clock.begin_s)}</time>
       <time>{timeOfDay(replay.time_s(), 1)}</time>
       <GoTo replay={replay} />
-      <button onClick={() => mark.current()} title="bookmark (B)">Bookmark</button>
+      <button onClick={() => mark.current()} title={t("bookmark (B)")}>{t("Bookmark")}</button>
       {marks.map((m) => (
         <span key={m.time_s} class="bookmark">
           <button onClick={() => replay.seek(m.time_s)}>{m.name}</button>
@@ -84,9 +85,9 @@ export function ReplayBar({ session, mark }: Props) {
             onClick={() => keep(marks.filter((x) => x !== m))}>×</button>
         </span>
       ))}
-      {replay.isLoading() ? <em>reading …</em> : null}
+      {replay.isLoading() ? <em>{t("reading …")}</em> : null}
       {replay.problem ? <em class="bad">{replay.problem}</em> : null}
-      <button class="end" onClick={() => session.endReplay()}>End replay</button>
+      <button class="end" onClick={() => session.endReplay()}>{t("End replay")}</button>
     </section>
   );
 }

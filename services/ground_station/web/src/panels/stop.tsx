@@ -5,13 +5,14 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import { order } from "../ui/orders.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 
 export const hold_ms = 600;
 
 interface HoldProps { label: string; act(): void; press?: RefObject<(pressed: boolean) => void>;
-  disabled?: boolean }
+  disabled?: boolean; hint?: string; calm?: boolean /* is no emergency */ }
 
-export function HoldButton({ label, act, press, disabled }: HoldProps) {
+export function HoldButton({ label, act, press, disabled, hint, calm }: HoldProps) {
   const [holding, setHolding] = useState(false);
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const acting = useRef(act);
@@ -29,14 +30,14 @@ export function HoldButton({ label, act, press, disabled }: HoldProps) {
   useEffect(() => () => clearTimeout(timer.current), []);
   const isKey = (event: KeyboardEvent): boolean => event.key === "Enter" || event.key === " ";
   return (
-    <button class={`stop ${holding ? "holding" : ""}`} disabled={disabled}
-      title="hold to confirm (or hold S)"
+    <button class={`${calm ? "hold" : "stop"} ${holding ? "holding" : ""}`} disabled={disabled}
+      title={hint ?? t("hold to confirm (or hold S)")}
       onPointerDown={(event) => event.button === 0 && set(true)} onPointerUp={() => set(false)}
       onPointerLeave={() => set(false)} onPointerCancel={() => set(false)}
       onKeyDown={(event) => isKey(event) && !event.repeat && set(true)}
       onKeyUp={(event) => isKey(event) && set(false)} onBlur={() => set(false)}
       onContextMenu={(event) => event.preventDefault()}>
-      <b>{label}</b><small>hold</small>
+      <b>{label}</b><small>{t("hold")}</small>
     </button>
   );
 }

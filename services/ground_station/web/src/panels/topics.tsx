@@ -6,6 +6,7 @@ import { partsOf } from "../data/topics.ts";
 import type { State, Traffic } from "../store/state.ts";
 import { age, bytes, number } from "../ui/format.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { Badge } from "./badge.tsx";
 
 interface Row {
@@ -55,12 +56,12 @@ function TopicRow({ row }: { row: Row }) {
     <tr data-topic={strip(row.topic)} class={silent ? "stale" : ""}>
       <td>{strip(row.topic)}</td>
       <td class="type">{row.type.replace(/^.*[/:]([^/:]+?)_?$/, "$1")}</td>
-      <td class="n" data-of="rate" data-field="rate">{number(row.rate_hz, 1, "Hz")}</td>
-      <td class="n" data-of="age" data-field="age">{row.resting ? "resting" : age(row.age_s)}</td>
-      <td class="n" data-of="size">{row.size === null ? "–" : bytes(row.size)}</td>
-      <td class="n" data-of="flow">{bytes(row.bytes_s)}/s</td>
-      <td class="n" data-of="writers" data-field="writers">{row.writers ?? "–"}</td>
-      <td class="n" data-of="readers">
+      <td class="n" data-of={t("rate")} data-field="rate">{number(row.rate_hz, 1, "Hz")}</td>
+      <td class="n" data-of={t("age")} data-field="age">{row.resting ? t("resting") : age(row.age_s)}</td>
+      <td class="n" data-of={t("size")}>{row.size === null ? "–" : bytes(row.size)}</td>
+      <td class="n" data-of={t("flow")}>{bytes(row.bytes_s)}/s</td>
+      <td class="n" data-of={t("writers")} data-field="writers">{row.writers ?? "–"}</td>
+      <td class="n" data-of={t("readers")}>
         {row.readers === null || row.readers < 0 ? "–" : row.readers}</td>
       <td>{row.problems.map((p) => <Badge key={p} mood="warning">{p}</Badge>)}</td>
     </tr>
@@ -76,15 +77,15 @@ export function TopicsPanel({ session }: { session: Session }) {
   return (
     <div>
       <div class="row">
-        <input placeholder="filter" aria-label="filter" value={filter}
+        <input placeholder={t("filter")} aria-label={t("filter")} value={filter}
           onInput={(event) => setFilter(event.currentTarget.value)} />
         <label><input type="checkbox" checked={mine}
           onChange={(event) => setMine(event.currentTarget.checked)} />
-          {" "}only {chosen ?? "chosen"}</label>
+          {" "}{t("only {vehicle}", { vehicle: chosen ?? "–" })}</label>
       </div>
       <table class="fold" aria-label="topics">
-        <thead><tr><th>topic</th><th>type</th><th>rate</th><th>age</th><th>size</th><th>flow</th>
-          <th>writers</th><th>readers</th><th>problems</th></tr></thead>
+        <thead><tr><th>{t("topic")}</th><th>{t("type")}</th><th>{t("rate")}</th><th>{t("age")}</th><th>{t("size")}</th><th>{t("flow")}</th>
+          <th>{t("writers")}</th><th>{t("readers")}</th><th>{t("problems")}</th></tr></thead>
         <tbody>{rows.map((row) => <TopicRow key={row.topic} row={row} />)}</tbody>
       </table>
     </div>

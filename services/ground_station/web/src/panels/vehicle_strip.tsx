@@ -9,18 +9,19 @@ import { gone_s, silent_s, stale_s } from "../store/watch.ts";
 import { age, number } from "../ui/format.ts";
 import { colorOf } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { Aged, Badge, type Mood } from "./badge.tsx";
 
 function modeOf(state: State, vehicle: Vehicle) {
   const safety = vehicle.latest["safety/state"];
-  if (!safety) return <Badge mood="quiet">no gate</Badge>;
+  if (!safety) return <Badge mood="quiet">{t("no gate")}</Badge>;
   const severity = severityOf(safety.message);
   const mood: Mood = severity === "info" ? (safety.message.mode === 0 ? "good" : "info") : severity;
   return (
     <Aged age_s={age_s(state, safety)} limit_s={stale_s}>
       <Badge mood={mood}><span data-field="mode">{modeWord(safety.message.mode)}</span></Badge>
       <small data-field="phase"> {phaseWord(safety.message.phase)}</small>
-      <small>{safety.message.armed ? "" : " · not armed"}</small>
+      <small>{safety.message.armed ? "" : ` · ${t("not armed")}`}</small>
     </Aged>
   );
 }
@@ -34,15 +35,15 @@ export function healthOf(state: State, vehicle: Vehicle): { mood: Mood; text: st
     if (!isSilent && heard.message.state === ServiceState.running) continue;
     const inDoubt = !isSilent && saysSeveralPeople(heard.message);
     doubtful ||= inDoubt;
-    bad.push(inDoubt ? "several people: which one?"
-      : `${name} ${isSilent ? "silent" : serviceWord(heard.message.state)}`);
+    bad.push(inDoubt ? t("several people: which one?")
+      : `${name} ${isSilent ? t("silent") : serviceWord(heard.message.state)}`);
     if (isSilent) silent++;
   }
   const count = vehicle.services.size;
-  if (count === 0) return { mood: "quiet", text: "no health" };
-  if (bad.length === 0) return { mood: "good", text: `${count} services well` };
+  if (count === 0) return { mood: "quiet", text: t("no health") };
+  if (bad.length === 0) return { mood: "good", text: t("{count} services well", { count }) };
   const mood = silent > 0 || doubtful ? "alarm" : "warning";
-  if (silent > 2) return { mood, text: `${silent} of ${count} services silent` };
+  if (silent > 2) return { mood, text: t("{silent} of {count} services silent", { silent, count }) };
   return { mood, text: bad.join(", ") };
 }
 
@@ -95,19 +96,20 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
       {modeOf(state, vehicle)}
       <span data-field="health"><Badge mood={health.mood}>{health.text}</Badge></span>
       {unconfirmed ? (
-        <span data-field="order"><Badge mood="alarm">{unconfirmed.command} not confirmed</Badge></span>
+        <span data-field="order"><Badge mood="alarm">{t("{order} not confirmed",
+          { order: unconfirmed.command })}</Badge></span>
       ) : null}
       <dl>
-        <div><dt>link</dt>
+        <div><dt>{t("link")}</dt>
           <dd data-field="link" class={link_s > stale_s ? "bad" : ""}>{age(link_s)}</dd></div>
-        <div><dt>battery</dt><dd data-field="battery">{battery(state, vehicle)}</dd></div>
-        <div><dt title="samples a second: odometry, person, plan">rates</dt>
+        <div><dt>{t("battery")}</dt><dd data-field="battery">{battery(state, vehicle)}</dd></div>
+        <div><dt title={t("samples a second: odometry, person, plan")}>{t("rates")}</dt>
           <dd data-field="rates">{rate(state, vehicle, "odometry")} · {
             rate(state, vehicle, "target/state")} · {rate(state, vehicle, "plan/trajectory")} Hz</dd>
         </div>
-        <div><dt title={lost.reasons || "samples that services refused"}>losses</dt>
+        <div><dt title={lost.reasons || t("samples that services refused")}>{t("losses")}</dt>
           <dd data-field="losses" title={lost.reasons}>{lost.count}</dd></div>
-        <div><dt>control</dt><dd data-field="lease">{holder || "free"}</dd></div>
+        <div><dt>{t("control")}</dt><dd data-field="lease">{holder || t("free")}</dd></div>
       </dl>
     </button>
   );
@@ -116,12 +118,12 @@ function Card({ session, vehicle }: { session: Session; vehicle: Vehicle }) {
 export function VehicleStrip({ session }: { session: Session }) {
   const { vehicles } = session;
   return (
-    <section class="strip" aria-label="vehicles">
+    <section class="strip" aria-label={t("vehicles")}>
       {vehicles.map((v) => <Card key={v.name} session={session} vehicle={v} />)}
       {vehicles.length === 0 ? (
         <p class="empty">{session.liveState.link.open
-          ? "No vehicle is heard. Start one with: foretrack up"
-          : "Not connected to the station."}</p>
+          ? t("No vehicle is heard. Start one with: foretrack up")
+          : t("Not connected to the station.")}</p>
       ) : null}
     </section>
   );

@@ -4,9 +4,10 @@ import type uPlot from "uplot";
 
 import type { Lane, Rung, Vehicle } from "../store/state.ts";
 import { blue, grey, modeColors, orange, red, yellow } from "../ui/palette.ts";
+import { said } from "../ui/words.ts";
 
 const modes = ["track", "coast", "hover", "brake", "silent"];
-export const ladderRows = ["person", "plan", "mission", ...modes];
+export const ladderRows = [said("person"), said("plan"), said("mission"), ...modes];
 
 const laneColors: Record<Lane, string[]> = {
   person: [grey, blue, yellow, red],

@@ -4,6 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { useModule } from "../ui/hooks.ts";
 import { changeSpan, spans_s } from "../ui/keys.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 
 const period_ms = 120;
 
@@ -23,9 +24,9 @@ export function Plots({ session }: { session: Session }) {
     };
   }, [stack]);
   return (
-    <section class="plots" aria-label="plots">
+    <section class="plots" aria-label={t("plots")}>
       <div class="charts" ref={host} />
-      <nav class="spans" aria-label="time shown">
+      <nav class="spans" aria-label={t("time shown")}>
         {spans_s.map((span_s) => (
           <button key={span_s} aria-pressed={session.span_s === span_s}
             onClick={() => changeSpan(session, spans_s.indexOf(span_s) -

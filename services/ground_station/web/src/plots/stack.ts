@@ -9,6 +9,7 @@ import type { Vehicle } from "../store/state.ts";
 import { Chart, type ChartOptions, type Frame } from "./chart.ts";
 import { frames } from "./frames.ts";
 import { describe, drawLadder, ladderRows } from "./ladder.ts";
+import { t } from "../ui/words.ts";
 
 export const headerHeight = 18;
 const atLeast = (floor: number, ceiling: number) => (low: number, high: number): [number, number] =>
@@ -76,22 +77,22 @@ export class ChartStack {
   private options(): Record<string, ChartOptions> {
     const { session } = this;
     return {
-      intention: { title: "Intention", unit: "", digits: 2, weight: 1.25, range: () => [0, 1] },
-      distance: { title: "Distance", unit: "m", digits: 2, weight: 1, range: atLeast(0, 4),
+      intention: { title: t("Intention"), unit: "", digits: 2, weight: 1.25, range: () => [0, 1] },
+      distance: { title: t("Distance"), unit: "m", digits: 2, weight: 1, range: atLeast(0, 4),
         underlay: (plot) => {
           const band = session.vehicle && band_m(session.state, session.vehicle);
           if (band) shade(plot, ...band);
         } },
-      speed: { title: "Speed", unit: "m/s", digits: 2, weight: 0.8, range: atLeast(0, 2) },
-      yawError: { title: "Yaw error", unit: "°", digits: 1, weight: 0.8, range: (low, high) => {
+      speed: { title: t("Speed"), unit: "m/s", digits: 2, weight: 0.8, range: atLeast(0, 2) },
+      yawError: { title: t("Yaw error"), unit: "°", digits: 1, weight: 0.8, range: (low, high) => {
         const most = Math.max(Math.abs(low), Math.abs(high));
         const bound = [20, 45, 90].find((b) => most < b) ?? 180;
         return [-bound, bound];
       }, steps: [20, 45, 90, 180] },
-      planTime: { title: "Plan time", unit: "ms", digits: 1, weight: 1, range: atLeast(0, 2) },
-      latency: { title: "Image to setpoint", unit: "ms", digits: 0, weight: 0.8,
+      planTime: { title: t("Plan time"), unit: "ms", digits: 1, weight: 1, range: atLeast(0, 2) },
+      latency: { title: t("Image to setpoint"), unit: "ms", digits: 0, weight: 0.8,
         range: atLeast(0, 100) },
-      ladder: { title: "States", unit: "", digits: 0, weight: 1.6, rows: ladderRows,
+      ladder: { title: t("States"), unit: "", digits: 0, weight: 1.6, rows: ladderRows,
         range: () => [-0.5, ladderRows.length - 0.5],
         underlay: (plot) => session.vehicle && drawLadder(plot, session.vehicle) },
     };

@@ -39,7 +39,9 @@ export interface InputEvent {
   shiftKey: boolean;
 }
 
-export interface Label { name: string; x: number; y: number; hidden: boolean }
+/** Over a vehicle, or over one of the bodies around the chosen one. */
+export interface Label { name: string; x: number; y: number; hidden: boolean; body?: BodyLabel }
+export interface BodyLabel { id: number; person: boolean; followed: boolean; distance_m: number }
 
 export interface Counts {
   fps: string;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's side of the scene: the canvas, what is done to it, the labels over it, and its news.
+import type { Tapped } from "../picture/people.tsx";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { SceneFeed } from "./feed.ts";
 import type { Counts, FromScene, InputEvent, Label, ToScene, ViewKind } from "./messages.ts";
 
@@ -13,6 +15,7 @@ const start = (): Worker =>
 let early: Worker | null = start(); // while the page is still being made
 
 export class SceneScreen {
+  onTap: (tapped: Tapped) => void = () => {};
   kind: ViewKind = "follow";
   cut = true; // walls, so that they hide nothing
   private readonly worker = early ?? start();
@@ -98,6 +101,7 @@ export class SceneScreen {
     else if (message.kind === "failed") this.fail(message.reason);
     else {
       message.labels.forEach((label) => this.place(label));
+      this.dropOthers(message.labels);
       if (message.placed) this.host.dataset["first"] ??= performance.now().toFixed(0);
     }
   }
@@ -107,18 +111,37 @@ export class SceneScreen {
     this.session.drawsSlowly = Number(counts.busy) > slow_ms;
   }
 
-  private place({ name, x, y, hidden }: Label): void {
-    let label = this.labels.get(name);
-    if (!label) {
-      label = document.createElement("span");
-      label.className = "label";
-      label.textContent = name;
-      this.host.append(label);
-      this.labels.set(name, label);
+  // A body's label is a button: who is tapped can be followed.
+  private makeLabel({ name, body }: Label): HTMLElement {
+    const label = document.createElement(body ? "button" : "span");
+    label.className = body ? "label body" : "label";
+    if (body) label.setAttribute("aria-label", t("person {id}", { id: body.id }));
+    label.textContent = name;
+    this.host.append(label);
+    return label;
+  }
+
+  private place(told: Label): void {
+    const { name, x, y, hidden, body } = told;
+    const key = body ? `body ${name}` : name;
+    let label = this.labels.get(key);
+    if (!label) this.labels.set(key, label = this.makeLabel(told));
+    if (body) {
+      label.classList.toggle("followed", body.followed);
+      label.onclick = () => this.onTap({ who: body, x, y });
     }
     if (label.hidden !== hidden) label.hidden = hidden;
     const at = `translate(${x}px, ${y}px) translate(-50%, -100%)`;
     if (!hidden && label.dataset["at"] !== at) label.style.transform = label.dataset["at"] = at;
+  }
+
+  private dropOthers(labels: Label[]): void {
+    const told = new Set(labels.map(({ name, body }) => (body ? `body ${name}` : name)));
+    for (const [key, label] of this.labels)
+      if (!told.has(key)) {
+        label.remove();
+        this.labels.delete(key);
+      }
   }
 
   private clearLabels(): void {

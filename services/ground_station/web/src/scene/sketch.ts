@@ -5,6 +5,7 @@ import type {
   CameraModel, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, TargetIntention,
   TargetPrediction, TargetSearch, Vec3,
 } from "../data/messages.ts";
+import { personKind } from "../data/words.ts";
 import { duration_s, samplePlan } from "../store/derive.ts";
 import type { Heard, Latest } from "../store/state.ts";
 
@@ -18,6 +19,8 @@ export interface Plan {
   corridor: PlannedTrajectory["corridor"];
 }
 export interface Body {
+  id: number;
+  person: boolean;
   followed: boolean;
   x: number;
   y: number;
@@ -69,11 +72,12 @@ function pathsOf({ paths }: TargetPrediction): Path[] {
 const ahead_s = 1.5; // that a velocity is drawn for
 
 function bodiesOf({ bodies }: MovingBodies): Body[] {
-  return bodies.map(({ followed, position_m, velocity_mps: v, radius_m, height_m, places_m }) => {
+  return bodies.map((body) => {
+    const { id, kind, followed, position_m, velocity_mps: v, radius_m, height_m, places_m } = body;
     const [x, y, z] = [position_m[0]!, position_m[1]!, position_m[2]!];
     const places = places_m.length > 0 ? places_m.map((p): Vec3 => [p.x, p.y, p.z])
       : [[x + ahead_s * v[0]!, y + ahead_s * v[1]!, z]];
-    return { followed, x, y, z, radius_m, height_m, expected: flat([[x, y, z], ...places]) };
+    return { id, person: kind === personKind, followed, x, y, z, radius_m, height_m, expected: flat([[x, y, z], ...places]) };
   });
 }
 

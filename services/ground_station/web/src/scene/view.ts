@@ -7,6 +7,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { Track } from "../data/words.ts";
+import { stale_s } from "../store/watch.ts";
 import { groundGrid, gridStep_m } from "./grid.ts";
 import { Known, type SeenVehicle } from "./known.ts";
 import type { FromScene, Label, ToScene, ViewKind } from "./messages.ts";
@@ -194,16 +195,31 @@ export class SceneView {
     this.camera.position.copy(focus).addScaledVector(offset, far);
   }
 
-  private labels(): Label[] {
+  private labelAt(x: number, y: number, z: number): Omit<Label, "name"> {
     const { clientWidth: width, clientHeight: height } = this.surface;
-    return [...this.known.vehicles.values()].flatMap(({ name, latest }) => {
+    const at = this.corner.set(x, y, z).project(this.camera);
+    const hidden = at.z > 1 || Math.abs(at.x) > 1.1 || Math.abs(at.y) > 1.1;
+    return { hidden, x: Math.round(((at.x + 1) / 2) * width),
+      y: Math.round(((1 - at.y) / 2) * height) };
+  }
+
+  private labels(): Label[] {
+    const vehicles = [...this.known.vehicles.values()].flatMap(({ name, latest }): Label[] => {
       const p = latest["odometry"]?.message.position;
-      if (!p) return [];
-      const at = this.corner.set(p.x, p.y, p.z + 0.4).project(this.camera);
-      const hidden = at.z > 1 || Math.abs(at.x) > 1.1 || Math.abs(at.y) > 1.1;
-      return [{ name, hidden, x: Math.round(((at.x + 1) / 2) * width),
-        y: Math.round(((1 - at.y) / 2) * height) }];
+      return p ? [{ name, ...this.labelAt(p.x, p.y, p.z + 0.4) }] : [];
     });
+    return [...vehicles, ...this.bodyLabels()];
+  }
+
+  // Of the chosen vehicle, as orders go to it.
+  private bodyLabels(): Label[] {
+    const { latest } = this.known.vehicles.get(this.known.chosen) ?? {};
+    const [bodies, pose] = [latest?.["bodies"], latest?.["odometry"]?.message.position];
+    if (!bodies || !pose || this.known.now_s - bodies.time_s > stale_s) return [];
+    return bodies.message.map(({ id, person, followed, x, y, z, height_m }) => ({
+      name: `${id}`, ...this.labelAt(x, y, z + height_m + 0.15),
+      body: { id, person, followed, distance_m: Math.hypot(x - pose.x, y - pose.y) },
+    }));
   }
 
   private count(now_ms: number): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Events, and alarms that hold until their condition clears.
+import { t } from "../ui/words.ts";
 import type { Severity, State } from "./state.ts";
 
 const maxEvents = 500;
@@ -18,7 +19,7 @@ export function hold(state: State, vehicle: string, kind: string, holds: boolean
   if (!holds) {
     if (alarm && alarm.cleared_s === null) {
       alarm.cleared_s = state.now_s;
-      note(state, vehicle, "info", `over: ${alarm.text}`);
+      note(state, vehicle, "info", t("over: {what}", { what: alarm.text }));
       if (alarm.acknowledged) state.alarms.delete(key);
     }
     return;

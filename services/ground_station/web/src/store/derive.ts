@@ -20,15 +20,21 @@ export function distance_m(odometry?: Odometry, target?: TargetState): number | 
   return Math.hypot(target.position_m[0]! - from.x, target.position_m[1]! - from.y);
 }
 
-/** The distances that its planner keeps, which are among the values of a diagnostic; null: unknown. */
-export function band_m(state: State, vehicle: Vehicle): [number, number] | null {
+/** A parameter that a service of the vehicle tells with its diagnostic; NaN: none does. */
+export function toldBy(state: State, vehicle: Vehicle, key: string): number {
   for (const { message } of state.diagnostics.values()) {
     if (message.hardware_id !== vehicle.name) continue;
-    const value = (key: string) => Number(message.values.find((v) => v.key === key)?.value);
-    const band: [number, number] = [value("distance_low_m"), value("distance_high_m")];
-    if (band.every(Number.isFinite)) return band;
+    const found = message.values.find((v) => v.key === key);
+    if (found) return Number(found.value);
   }
-  return null;
+  return NaN;
+}
+
+/** The distances that its planner keeps; null: unknown. */
+export function band_m(state: State, vehicle: Vehicle): [number, number] | null {
+  const band: [number, number] = [toldBy(state, vehicle, "distance_low_m"),
+    toldBy(state, vehicle, "distance_high_m")];
+  return band.every(Number.isFinite) ? band : null;
 }
 
 /** Bearing of the person off the nose, left positive; null: not known. */

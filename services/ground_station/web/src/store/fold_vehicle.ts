@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
 import {
-  type BatteryStatus, type MissionCommand, type Odometry, type PlannedTrajectory, seconds,
+  type BatteryStatus, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
   type SafetyState, type ServiceHealth, type TargetIntention, type TargetState,
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
 import {
-  GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track,
+  boundsCommand, GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track,
 } from "../data/words.ts";
 import { colorOfRgb } from "../ui/palette.ts";
+import { t } from "../ui/words.ts";
 import { hold, note } from "./alarms.ts";
 import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
-import type { Rung, Severity, State, Vehicle } from "./state.ts";
+import type { Bounds, Rung, Severity, State, Vehicle } from "./state.ts";
 
 type Fold = (state: State, vehicle: Vehicle, sample: Sample) => void;
 
@@ -20,6 +21,7 @@ const foldOdometry: Fold = (_state, vehicle, { message, time_s }) => {
   const odometry = message as Odometry;
   const { x, y, z } = odometry.pose.pose.position;
   vehicle.trail.push(time_s, x, y, z);
+  vehicle.poses.push(seconds(odometry.header.stamp), odometry);
   const target = vehicle.latest["target/state"]?.message;
   const v = target && target.status !== Track.none
     ? Math.hypot(target.velocity_mps[0]!, target.velocity_mps[1]!) : null;
@@ -36,7 +38,7 @@ const foldTarget: Fold = (state, vehicle, { message, time_s }) => {
   const [x, y, z] = [target.position_m[0]!, target.position_m[1]!, target.position_m[2]!];
   vehicle.targetTrail.push(time_s, x, y, z);
   hold(state, vehicle.name, "target", target.status === Track.lost, "warning",
-    "the person is lost");
+    t("the person is lost"));
 };
 
 const foldIntention: Fold = (_state, vehicle, { message, time_s }) => {
@@ -58,7 +60,8 @@ const foldPlan: Fold = (state, vehicle, { message, time_s }) => {
   const bad = plan.status === PlanState.none || plan.status === PlanState.search ||
     plan.status === PlanState.hold;
   hold(state, vehicle.name, "plan", bad, "warning",
-    `plan: ${words.planWord(plan.status)}, ${words.explainPlan(plan.reason)}`);
+    t("plan: {state}, {why}",
+      { state: words.planWord(plan.status), why: words.explainPlan(plan.reason) }));
 };
 
 export function severityOf(safety: SafetyState): Severity {
@@ -76,6 +79,7 @@ const foldSafety: Fold = (state, vehicle, { message, time_s }) => {
   climb(state, vehicle, safety, time_s);
   hold(state, vehicle.name, "second writer", Boolean(safety.alarm), "alarm", safety.alarm ?? "");
   measureLatency(vehicle, safety, time_s);
+  settleBounds(vehicle, safety);
 };
 
 // The first cause that is heard may be old: its setpoint may have come before we listened.
@@ -106,7 +110,7 @@ function climb(state: State, vehicle: Vehicle, safety: SafetyState, time_s: numb
   extend(vehicle.lanes.mission, time_s, safety.phase, words.phaseWord(safety.phase), "");
   if (!extend(vehicle.lanes.gate, time_s, safety.mode, word, why)) return;
   const severity = severityOf(safety);
-  const text = `gate: ${word}${why && `, ${why}`}`;
+  const text = t("gate: {mode}", { mode: why ? `${word}, ${why}` : word });
   if (severity === "info") note(state, vehicle.name, "info", text);
   hold(state, vehicle.name, "gate", severity !== "info", severity, text);
 }
@@ -115,47 +119,80 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
   const before = vehicle.latest["safety/state"]?.message;
   if (!before) return;
   if (before.phase !== now.phase)
-    note(state, vehicle.name, "info", `mission: ${words.phaseWord(now.phase)}`);
+    note(state, vehicle.name, "info", t("mission: {phase}", { phase: words.phaseWord(now.phase) }));
   if (before.armed !== now.armed)
-    note(state, vehicle.name, "info", now.armed ? "armed" : "disarmed");
+    note(state, vehicle.name, "info", now.armed ? t("armed") : t("disarmed"));
   if (before.offboard !== now.offboard)
-    note(state, vehicle.name, "info", now.offboard ? "in offboard mode" : "left offboard mode");
+    note(state, vehicle.name, "info", now.offboard ? t("in offboard mode") : t("left offboard mode"));
   if (now.mission_end && before.mission_end !== now.mission_end)
-    note(state, vehicle.name, "warning", `mission over: ${words.explainEnd(now.mission_end)}`);
+    note(state, vehicle.name, "warning", t("mission over: {why}", { why: words.explainEnd(now.mission_end) }));
   const [from, to] = [before.lease_operator ?? "", now.lease_operator ?? ""];
   if (from !== to)
-    note(state, vehicle.name, "info", to ? `${to} has control` : `${from} gave up control`);
+    note(state, vehicle.name, "info", to ? t("{who} has control", { who: to }) : t("{who} gave up control", { who: from }));
   const isNew = before.command_id !== now.command_id || before.command_result !== now.command_result;
   const refused = now.command_result > Result.accepted && now.command_result < Result.pending;
   if (!isNew || now.command_result === Result.pending || (now.command === leaseCommand && !refused)) return;
-  const order = now.command === undefined ? "command" : words.commandWord(now.command);
+  const order = now.command === undefined ? t("command") : words.commandWord(now.command);
   note(state, vehicle.name, refused ? "warning" : "info",
-    `${order} of ${now.operator_id || "someone"}: ${words.resultWord(now.command_result)}`);
+    t("{order} of {who}: {result}", { order, who: now.operator_id || t("someone"),
+      result: words.resultWord(now.command_result) }));
 }
 
 const foldCommand: Fold = (state, vehicle, { message }) => {
-  const { command, operator_id } = message as MissionCommand;
+  const { command, operator_id, id } = message as MissionCommand;
   if (command === leaseCommand) return;
+  if (command === boundsCommand)
+    vehicle.ordered = { command_id: id, bounds: boundsOf(message as MissionCommand) };
   note(state, vehicle.name, "info",
-    `${operator_id || "someone"} orders: ${words.commandWord(command)}`);
+    t("{who} orders: {order}",
+      { who: operator_id || t("someone"), order: words.commandWord(command) }));
+};
+
+function boundsOf(order: MissionCommand): Bounds {
+  const at = Array.from(order.fence_m ?? []);
+  const altitude = (value?: number): number | null =>
+    value !== undefined && Number.isFinite(value) ? value : null;
+  return {
+    fence_m: Array.from({ length: at.length >> 1 }, (_, i) => [at[2 * i]!, at[2 * i + 1]!]),
+    altitude_min_m: altitude(order.altitude_min_m),
+    altitude_max_m: altitude(order.altitude_max_m),
+  };
+}
+
+// They count once the gate has taken them.
+function settleBounds(vehicle: Vehicle, safety: SafetyState): void {
+  const { ordered } = vehicle;
+  if (!ordered || safety.command_id !== ordered.command_id) return;
+  if (safety.command_result === Result.pending) return;
+  const { accepted, acceptedUnwritten } = Result;
+  if (safety.command_result === accepted || safety.command_result === acceptedUnwritten)
+    vehicle.bounds = ordered.bounds;
+  vehicle.ordered = null;
+}
+
+const foldBodies: Fold = (_state, vehicle, { message }) => {
+  const bodies = message as MovingBodies;
+  vehicle.looks.push(seconds(bodies.header.stamp), bodies);
 };
 
 const foldHealth: Fold = (state, vehicle, { message }) => {
   const health = message as ServiceHealth;
   const doubtful = words.saysSeveralPeople(health);
-  hold(state, vehicle.name, `person ${health.service}`, doubtful, "alarm", words.severalPeople);
+  hold(state, vehicle.name, `person ${health.service}`, doubtful, "alarm", t(words.severalPeople));
   const degraded = health.state === ServiceState.degraded && !doubtful;
   hold(state, vehicle.name, `service ${health.service}`, degraded, "warning",
-    `${health.service}: degraded, ${health.last_error}`);
+    t("{service}: degraded, {why}", { service: health.service, why: health.last_error }));
   hold(state, vehicle.name, `foreign ${health.service}`, health.foreign_endpoints > 0, "warning",
-    `${health.service}: ${health.foreign_endpoints} endpoints of a foreign type`);
+    t("{service}: {count} endpoints of a foreign type",
+      { service: health.service, count: health.foreign_endpoints }));
 };
 
 const foldBattery: Fold = (state, vehicle, { message }) => {
   const battery = message as BatteryStatus;
   const severity = battery.warning > 1 ? "alarm" : "warning";
   hold(state, vehicle.name, "battery", battery.warning > 0, severity,
-    `battery: ${words.batteryWord(battery.warning)}, ${Math.round(100 * battery.remaining)} %`);
+    t("battery: {state}, {percent} %", { state: words.batteryWord(battery.warning),
+      percent: Math.round(100 * battery.remaining) }));
 };
 
 export const folders: Record<string, Fold> = {
@@ -163,6 +200,7 @@ export const folders: Record<string, Fold> = {
   "target/state": foldTarget,
   "target/intention": foldIntention,
   "plan/trajectory": foldPlan,
+  "bodies": foldBodies,
   "safety/state": foldSafety,
   "mission/command": foldCommand,
   "health": foldHealth,

@@ -2,10 +2,11 @@
 // The store: folds samples, the passing of time and the link's state into State. It reads no clock,
 // so the same inputs give the same state, live or replayed. State is changed in place: thousands of
 // samples come a second.
-import type { DiagnosticArray, ServiceHealth } from "../data/messages.ts";
+import type { DiagnosticArray, ServiceHealth, TransformMessage } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import type { StationStatus } from "../data/station.ts";
 import { ownerOf } from "../data/topics.ts";
+import { t } from "../ui/words.ts";
 import { acknowledge, note } from "./alarms.ts";
 import { folders } from "./fold_vehicle.ts";
 import { makeVehicle, type State, type Vehicle } from "./state.ts";
@@ -45,7 +46,8 @@ export function reduce(state: State, input: Input): State {
 function foldLink(state: State, open: boolean, reason: string): void {
   if (state.link.open !== open)
     note(state, "", open ? "info" : "alarm",
-      open ? "connected to the station" : `no connection to the station: ${reason}`);
+      open ? t("connected to the station")
+        : t("no connection to the station: {why}", { why: reason }));
   state.link = { open, reason, since_s: state.now_s };
 }
 
@@ -54,9 +56,10 @@ function foldSample(state: State, sample: Sample): void {
   count(state, sample);
   if (sample.name === "station/status") return hearStatus(state, sample);
   if (sample.name === "diagnostics") return hearDiagnostics(state, sample);
+  if (sample.name === "tf_static") return hearMounts(state, sample);
   const vehicle = vehicleOf(state, sample);
   if (!vehicle) return;
-  vehicle.heard_s = sample.time_s;
+  vehicle.heard_s = Math.max(vehicle.heard_s, sample.time_s);
   if (sample.message === undefined) return;
   folders[sample.name]?.(state, vehicle, sample); // sees the last message beside the new one
   if (sample.name === "health") {
@@ -87,8 +90,9 @@ function vehicleOf(state: State, sample: Sample): Vehicle | undefined {
   let vehicle = state.vehicles.get(sample.vehicle);
   if (!vehicle) {
     vehicle = makeVehicle(sample.vehicle, names.length);
+    vehicle.heard_s = state.now_s; // what is latched may be old, and is no silence
     state.vehicles.set(sample.vehicle, vehicle);
-    note(state, sample.vehicle, "info", "first heard of", sample.time_s);
+    note(state, sample.vehicle, "info", t("first heard of"), sample.time_s);
   }
   return vehicle;
 }
@@ -115,6 +119,12 @@ function measureTraffic(state: State): void {
     t.bytes_s = (t.total - t.mark.total) / elapsed_s;
     t.mark = { time_s: state.now_s, count: t.count, total: t.total };
   }
+}
+
+function hearMounts(state: State, sample: Sample): void {
+  const message = sample.message as TransformMessage | undefined;
+  for (const transform of message?.transforms ?? [])
+    state.mounts.set(transform.child_frame_id, transform);
 }
 
 function hearDiagnostics(state: State, sample: Sample): void {

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that the page knows, at one moment of one flight or recording.
 import type {
-  BatteryStatus, DiagnosticStatus, LocalMap, MovingBodies, Odometry, PlannedTrajectory, PointCloud2,
-  SafetyState, ServiceHealth, TargetIntention, TargetObservation, TargetPrediction, TargetSearch,
-  TargetState,
+  BatteryStatus, CameraInfo, CompressedImage, DiagnosticStatus, LocalMap, MovingBodies, Odometry,
+  PlannedTrajectory, PointCloud2, SafetyState, ServiceHealth, TargetChoice, TargetIntention,
+  TargetObservation, TargetPrediction, TargetSearch, TargetState, TransformStamped,
 } from "../data/messages.ts";
 import type { StationStatus } from "../data/station.ts";
+import { History } from "./history.ts";
 import { Series, Trail } from "./series.ts";
+
+/** Where it may fly, as the last order that its gate took said. */
+export interface Bounds {
+  fence_m: [number, number][];
+  altitude_min_m: number | null;
+  altitude_max_m: number | null;
+}
 
 export interface Heard<T> { message: T; time_s: number }
 
@@ -19,6 +27,10 @@ export interface Latest {
   "bodies": Heard<MovingBodies>;
   "plan/trajectory": Heard<PlannedTrajectory>;
   "target/search": Heard<TargetSearch>;
+  "target/choice": Heard<TargetChoice>;
+  "camera/ground/image/compressed": Heard<CompressedImage>;
+  "camera/ground/camera_info": Heard<CameraInfo>;
+  "camera/color/camera_info": Heard<CameraInfo>;
   "safety/state": Heard<SafetyState>;
   "map/points": Heard<PointCloud2>;
   "map/local": Heard<LocalMap>;
@@ -53,6 +65,10 @@ export interface Vehicle {
   caused_by_s: number;
   trail: Trail;
   targetTrail: Trail;
+  poses: History<Odometry>; // by their own stamps, for what was seen then
+  looks: History<MovingBodies>;
+  ordered: { command_id: bigint; bounds: Bounds } | null; // not answered yet
+  bounds: Bounds | null; // null: not known
 }
 
 export interface Traffic {
@@ -97,6 +113,7 @@ export interface State {
   vehicles: Map<string, Vehicle>;
   traffic: Map<string, Traffic>;
   diagnostics: Map<string, Heard<DiagnosticStatus>>;
+  mounts: Map<string, TransformStamped>; // tf_static, by child's frame
   events: FlightEvent[];
   alarms: Map<string, Alarm>;
   nextEvent: number;
@@ -110,6 +127,7 @@ export function makeState(): State {
     vehicles: new Map(),
     traffic: new Map(),
     diagnostics: new Map(),
+    mounts: new Map(),
     events: [],
     alarms: new Map(),
     nextEvent: 1,
@@ -129,6 +147,7 @@ export function makeVehicle(name: string, before: number): Vehicle {
     latency: new Series(["latency"], 0.02),
     lanes: { person: [], plan: [], mission: [], gate: [] }, caused_by_s: -Infinity,
     trail: new Trail(), targetTrail: new Trail(),
+    poses: new History(), looks: new History(), ordered: null, bounds: null,
   };
 }
 

@@ -2,6 +2,7 @@
 // Conditions that come with the passing of time, and with the station's own report.
 import type { StationStatus } from "../data/station.ts";
 import { outcome } from "../data/words.ts";
+import { t } from "../ui/words.ts";
 import { hold, note } from "./alarms.ts";
 import { age_s, type State } from "./state.ts";
 
@@ -15,14 +16,14 @@ export function watchTime(state: State): void {
     const quiet_s = state.now_s - vehicle.heard_s;
     const gone = quiet_s > gone_s;
     hold(state, vehicle.name, "silent", gone, "alarm",
-      `nothing heard for ${quiet_s.toFixed(0)} s`);
+      t("nothing heard for {seconds} s", { seconds: quiet_s.toFixed(0) }));
     const gate_s = age_s(state, vehicle.latest["safety/state"]);
     hold(state, vehicle.name, "gate silent", !gone && gate_s > gateSilent_s, "alarm",
-      `the safety gate is silent for ${gate_s.toFixed(0)} s`);
+      t("the safety gate is silent for {seconds} s", { seconds: gate_s.toFixed(0) }));
     for (const [name, heard] of vehicle.services) {
       const service_s = age_s(state, heard);
       hold(state, vehicle.name, `service silent ${name}`, !gone && service_s > silent_s, "alarm",
-        `${name}: silent for ${service_s.toFixed(0)} s`);
+        t("{service}: silent for {seconds} s", { service: name, seconds: service_s.toFixed(0) }));
     }
   }
 }
@@ -43,14 +44,16 @@ export function hearStation(state: State, status: StationStatus): void {
   for (const { name, orders_refused } of status.vehicles)
     hold(state, name, "orders refused", Boolean(orders_refused), "alarm", orders_refused ?? "");
   for (const { name, unconfirmed } of status.vehicles)
-    hold(state, name, "order", Boolean(unconfirmed), "alarm", `${unconfirmed?.command} of ` +
-      `${unconfirmed?.operator}: not confirmed by the safety gate, ` +
-      (unconfirmed?.still_sent ? "still being sent" : "given up"));
+    hold(state, name, "order", Boolean(unconfirmed), "alarm",
+      t("{order} of {who}: not confirmed by the safety gate, {so}", {
+        order: unconfirmed?.command ?? "", who: unconfirmed?.operator ?? "",
+        so: unconfirmed?.still_sent ? t("still being sent") : t("given up") }));
   for (const topic of status.topics) {
     hold(state, topic.vehicle ?? "", `qos ${topic.topic}`, Boolean(topic.qos_mismatch), "warning",
-      `${topic.topic}: quality of service does not match`);
+      t("{topic}: quality of service does not match", { topic: topic.topic }));
     hold(state, topic.vehicle ?? "", `foreign ${topic.topic}`, Boolean(topic.foreign_type),
-      "warning", `${topic.topic}: a foreign type, ${topic.foreign_type}`);
+      "warning", t("{topic}: a foreign type, {type}",
+        { topic: topic.topic, type: topic.foreign_type ?? "" }));
   }
 }
 
@@ -65,5 +68,5 @@ export function compareStations(state: State, before: StationStatus, now: Statio
   }
   const [was, is] = [before.recording?.active ?? false, now.recording?.active ?? false];
   if (was !== is)
-    note(state, "", "info", is ? `recording ${now.recording?.file}` : "recording ended");
+    note(state, "", "info", is ? t("recording {file}", { file: now.recording?.file ?? "" }) : t("recording ended"));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers as an operator reads them.
+import { t } from "./words.ts";
 
 export function number(value: number | null | undefined, digits = 1, unit = ""): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
@@ -9,7 +10,7 @@ export function number(value: number | null | undefined, digits = 1, unit = ""):
 
 /** Negative: never. */
 export function age(age_s: number): string {
-  if (age_s < 0 || !Number.isFinite(age_s)) return "never";
+  if (age_s < 0 || !Number.isFinite(age_s)) return t("never");
   if (age_s < 10) return `${age_s.toFixed(1)} s`;
   if (age_s < 120) return `${age_s.toFixed(0)} s`;
   return `${Math.floor(age_s / 60)} min`;

@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keyboard. Keys do nothing while a field is being typed in.
 import type { Session } from "./session.ts";
+import { said } from "./words.ts";
 
 export interface KeyActions {
   view(view: "orbit" | "follow" | "top"): void;
   cut(): void;
   tab(index: number): void;
+  picture(): void;
   bookmark(): void;
   stop(pressed: boolean): void;
   help(): void;
 }
 
 export const keyHelp: [string, string][] = [
-  ["hold S", "STOP the chosen vehicle"],
-  ["[ ]", "previous, next vehicle"],
-  ["O F T", "orbit, follow, top view"],
-  ["W", "cut walls low, or not"],
-  ["A", "acknowledge all alarms"],
-  ["1 … 5", "events, diagnostics, topics, recordings, commands"],
-  ["+ −", "longer, shorter plots"],
-  ["Space", "replay: play, pause"],
-  ["← →", "replay: 1 s back, on; with Shift 10 s"],
-  [", .", "replay: a step of 0.1 s back, on"],
-  ["B", "replay: bookmark"],
-  ["?", "this help"],
+  [said("hold S"), said("STOP the chosen vehicle")],
+  ["[ ]", said("previous, next vehicle")],
+  ["O F T", said("orbit, follow, top view")],
+  ["W", said("cut walls low, or not")],
+  ["A", said("acknowledge all alarms")],
+  ["1 … 6", said("events, diagnostics, topics, recordings, control, fly")],
+  ["P", said("picture inset, large, hidden")],
+  ["M", said("sound of alarms, or none")],
+  ["+ −", said("longer, shorter plots")],
+  [said("Space"), said("replay: play, pause")],
+  ["← →", said("replay: 1 s back, on; with Shift 10 s")],
+  [", .", said("replay: a step of 0.1 s back, on")],
+  ["B", said("replay: bookmark")],
+  ["?", said("this help, and the language")],
 ];
 
 export const spans_s = [10, 30, 60, 120];
@@ -51,6 +55,8 @@ function press(key: string, shift: boolean, session: Session, actions: KeyAction
     "f": () => actions.view("follow"),
     "t": () => actions.view("top"),
     "w": () => actions.cut(),
+    "p": () => actions.picture(),
+    "m": () => session.sound.toggle(),
     "a": () => session.tell({ kind: "acknowledge", key: "all" }),
     "+": () => changeSpan(session, 1),
     "=": () => changeSpan(session, 1),
@@ -58,7 +64,7 @@ function press(key: string, shift: boolean, session: Session, actions: KeyAction
     "?": () => actions.help(),
     "s": () => actions.stop(true),
   };
-  for (let i = 1; i <= 5; i++) keys[`${i}`] = () => actions.tab(i - 1);
+  for (let i = 1; i <= 6; i++) keys[`${i}`] = () => actions.tab(i - 1);
   if (replay)
     Object.assign(keys, {
       " ": () => replay.play(!replay.clock.playing),

@@ -2,10 +2,11 @@
 // Opens a recording, of this machine or of the station, and shows it. What reads MCAP is loaded
 // only now.
 import type { Session } from "./session.ts";
+import { t } from "./words.ts";
 
 export async function openRecording(session: Session, from: File | string): Promise<void> {
   const name = typeof from === "string" ? from : from.name;
-  session.notice(`opening ${name} …`);
+  session.notice(t("opening {file} …", { file: name }));
   try {
     const { openMcap, readableAt, readableOf } = await import("../data/open_recording.ts");
     const readable = typeof from === "string"
@@ -14,6 +15,7 @@ export async function openRecording(session: Session, from: File | string): Prom
     session.startReplay(await openMcap(name, readable));
     session.notice("");
   } catch (error) {
-    session.notice(`${name} cannot be replayed: ${(error as Error).message}`);
+    session.notice(t("{file} cannot be replayed: {why}",
+      { file: name, why: (error as Error).message }));
   }
 }

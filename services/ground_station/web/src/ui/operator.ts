@@ -3,7 +3,13 @@
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 
 export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop" |
-  "take_off";
+  "take_off" | "follow" | "framing" | "bounds";
+/** What an order says besides its name. null: as the parameters have it, or no bound. */
+export type OrderDetails =
+  | { person_id: number }
+  | { distance_m: number | null; height_m: number | null; bearing_rad: number | null;
+      circling_radps: number }
+  | { fence_m: [number, number][]; altitude_min_m: number | null; altitude_max_m: number | null };
 export type LeaseAction = "take" | "release" | "hand_over";
 
 const nameKey = "foretrack.operator";
@@ -39,8 +45,8 @@ export class Operator {
   lease(vehicle: string, action: LeaseAction, to?: string): Promise<Answer> {
     return this.post("lease", { vehicle, operator: this.name, action, ...(to ? { to } : {}) });
   }
-  command(vehicle: string, command: Command): Promise<Answer> {
-    return this.post("command", { vehicle, command, operator: this.name || "unnamed" });
+  command(vehicle: string, command: Command, details?: OrderDetails): Promise<Answer> {
+    return this.post("command", { vehicle, command, operator: this.name || "unnamed", ...details });
   }
   record(action: "start" | "stop"): Promise<Answer> {
     return this.post("record", { action });

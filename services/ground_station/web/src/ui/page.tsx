@@ -12,18 +12,25 @@ import { StopButton } from "../panels/stop.tsx";
 import { TopBar } from "../panels/top_bar.tsx";
 import { TopicsPanel } from "../panels/topics.tsx";
 import { VehicleStrip } from "../panels/vehicle_strip.tsx";
+import { FlyPanel } from "../fly/panel.tsx";
+import { ChoiceDialog, ChoiceLine } from "../picture/choice.tsx";
+import { type Layout, PicturePanel, whyNone } from "../picture/panel.tsx";
 import { Plots } from "../plots/panel.tsx";
 import { ScenePanel, type SceneHandle } from "../scene/panel.tsx";
 import { useNarrow, useSession } from "./hooks.ts";
+import { Icon } from "./icon.tsx";
 import { keyHelp, listenToKeys } from "./keys.ts";
 import { openRecording } from "./open_recording.ts";
 import type { Session } from "./session.ts";
+import { chooseLanguage, languages, said, t } from "./words.ts";
 
-const tabs = ["Events", "Diagnostics", "Topics", "Recordings", "Control"] as const;
-const narrowTabs = ["Scene", "Plots", ...tabs] as const;
-type Tab = (typeof narrowTabs)[number];
+const tabs = [said("Events"), said("Diagnostics"), said("Topics"), said("Recordings"),
+  said("Control"), said("Fly")];
+const narrowTabs = [said("Scene"), said("Picture"), said("Plots"), ...tabs];
+type Tab = string;
 
 function TabContent({ tab, session }: { tab: Tab; session: Session }) {
+  if (tab === "Fly") return <FlyPanel session={session} />;
   if (tab === "Events") return <EventsPanel session={session} />;
   if (tab === "Diagnostics") return <DiagnosticsPanel session={session} />;
   if (tab === "Topics") return <TopicsPanel session={session} />;
@@ -39,18 +46,34 @@ function TabBar({ names, tab, session, choose }: TabBarProps) {
     <nav class="tabs" role="tablist">
       {names.map((name) => (
         <button key={name} role="tab" aria-selected={name === tab} onClick={() => choose(name)}>
-          {name}{name === "Events" && open > 0 ? <b class="count">{open}</b> : null}
+          {t(name)}{name === "Events" && open > 0 ? <b class="count">{open}</b> : null}
         </button>
       ))}
     </nav>
   );
 }
 
+function LanguageMenu() {
+  const [known, setKnown] = useState<[string, string][]>([]);
+  useEffect(() => void languages().then(setKnown), []);
+  if (known.length < 2) return null;
+  return (
+    <label>{t("language")} <select value={document.documentElement.lang}
+      onChange={(event) => chooseLanguage(event.currentTarget.value)}>
+      {known.map(([code, name]) => (
+        <option key={code} value={code}>{name}</option>
+      ))}
+    </select></label>
+  );
+}
+
 function Help({ close }: { close(): void }) {
   return (
-    <dialog open class="help" onClick={close} aria-label="keys">
-      <h2>Keys</h2>
-      <dl>{keyHelp.map(([key, what]) => [<dt>{key}</dt>, <dd>{what}</dd>])}</dl>
+    <dialog open class="help" aria-label={t("keys")}>
+      <button class="quiet" aria-label={t("close")} onClick={close}><Icon name="close" /></button>
+      <h2>{t("Keys")}</h2>
+      <dl>{keyHelp.map(([key, what]) => [<dt>{t(key)}</dt>, <dd>{t(what)}</dd>])}</dl>
+      <LanguageMenu />
     </dialog>
   );
 }
@@ -72,6 +95,46 @@ function useDroppedFiles(session: Session): void {
   }, []);
 }
 
+const layoutKey = "foretrack.layout";
+
+function useLayout(): [Layout, (layout: Layout) => void] {
+  const [layout, setLayout] = useState<Layout>(
+    (localStorage.getItem(layoutKey) as Layout | null) ?? "inset");
+  return [layout, (chosen) => {
+    localStorage.setItem(layoutKey, chosen);
+    setLayout(chosen);
+  }];
+}
+
+/** Scene and picture: one of them large, the other inset, or the scene alone. */
+function Stage({ session, scene, layout, setLayout }: { session: Session; scene: SceneHandle;
+  layout: Layout; setLayout(layout: Layout): void }) {
+  return (
+    <div class={`stage with-${layout}`}>
+      <ScenePanel session={session} handle={scene} />
+      {layout === "scene" ? (
+        <button class="showpicture" onClick={() => setLayout("inset")}>{t("Picture")}</button>
+      ) : (
+        <PicturePanel session={session} layout={layout} hide={() => setLayout("scene")}
+          swap={() => setLayout(layout === "inset" ? "picture" : "inset")} />
+      )}
+      <Readout session={session} />
+      <ChoiceDialog session={session} />
+    </div>
+  );
+}
+
+/** On narrow screens the picture has a tab of its own. */
+function NarrowPicture({ session }: { session: Session }) {
+  return (
+    <div class={`stage alone ${whyNone(session) ? "" : "has"}`}>
+      <PicturePanel session={session} layout="picture" />
+      <ChoiceLine session={session} />
+      <ChoiceDialog session={session} />
+    </div>
+  );
+}
+
 export function Page({ session }: { session: Session }) {
   useSession(session);
   useDroppedFiles(session);
@@ -79,9 +142,16 @@ export function Page({ session }: { session: Session }) {
   const [tab, setTab] = useState<Tab>("Events");
   const [narrowTab, setNarrowTab] = useState<Tab>("Scene");
   const [help, setHelp] = useState(false);
+  const [layout, setLayout] = useLayout();
   const scene = useRef<SceneHandle>({ setView: () => {}, cut: () => {} }).current;
   const stop = useRef<(pressed: boolean) => void>(() => {});
   const mark = useRef<() => void>(() => {});
+  const picture = useRef<() => void>(() => {});
+  picture.current = () => {
+    const layouts: Layout[] = ["inset", "picture", "scene"];
+    setLayout(layouts[(layouts.indexOf(layout) + 1) % 3]!);
+    setNarrowTab("Picture");
+  };
   useEffect(() => listenToKeys(session, {
     view: (kind) => scene.setView(kind),
     cut: () => scene.cut(),
@@ -89,22 +159,28 @@ export function Page({ session }: { session: Session }) {
       setTab(tabs[i]!);
       setNarrowTab(tabs[i]!);
     },
+    picture: () => picture.current(),
     bookmark: () => mark.current(),
     stop: (pressed) => stop.current(pressed),
     help: () => setHelp((shown) => !shown),
   }), []);
   const stopButton = <StopButton session={session} press={stop} />;
   const shown = narrow ? narrowTab : tab;
-  const first = narrow && narrowTab !== "Scene" && narrowTab !== "Plots";
+  const first = narrow && !["Scene", "Picture", "Plots"].includes(narrowTab);
   return (
     <div class={`page ${narrow ? "narrow" : "wide"} ${session.replay ? "replaying" : ""}`}>
       <TopBar session={session} stop={narrow ? null : stopButton} help={() => setHelp(true)} />
       <VehicleStrip session={session} />
-      {narrow && narrowTab !== "Scene" ? null : (
+      {narrow && narrowTab === "Scene" ? (
         <div class="stage">
           <ScenePanel session={session} handle={scene} />
           <Readout session={session} />
+          <ChoiceDialog session={session} />
         </div>
+      ) : null}
+      {narrow && narrowTab === "Picture" ? <NarrowPicture session={session} /> : null}
+      {narrow ? null : (
+        <Stage session={session} scene={scene} layout={layout} setLayout={setLayout} />
       )}
       {narrow && narrowTab !== "Plots" ? null : <Plots session={session} />}
       {narrow && !first ? null : (

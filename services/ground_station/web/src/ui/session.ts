@@ -5,9 +5,11 @@ import { LiveLink } from "../data/live.ts";
 import type { Recording } from "../data/recording.ts";
 import { Replay } from "../data/replay.ts";
 import type { RawSample } from "../data/sample.ts";
+import { pictureTopic } from "../data/topics.ts";
 import { type Input, reduce } from "../store/reduce.ts";
 import { makeState, type State, type Vehicle } from "../store/state.ts";
 import { Operator } from "./operator.ts";
+import { AlarmSound } from "./sound.ts";
 
 interface Stage { state: State; intake: Intake }
 
@@ -27,9 +29,11 @@ function feed(stage: Stage, samples: RawSample[], now_s: number): void {
 
 export class Session {
   readonly operator = new Operator();
+  readonly sound = new AlarmSound();
   readonly link: LiveLink;
   replay: Replay | null = null;
   chosen = ""; // vehicle
+  watching = false; // the chosen vehicle's picture is seen
   span_s = 30; // of the plots
   fresh = 0; // grows when there is something new to draw
   generation = 0; // of the shown state: the scene and the plots begin anew
@@ -57,6 +61,10 @@ export class Session {
   get liveState(): State {
     return this.live.state;
   }
+  /** Of what is shown, now: the state's own is as old as its last frame. */
+  get now_s(): number {
+    return this.replay ? this.replay.time_s() : this.link.now_s();
+  }
   get vehicle(): Vehicle | undefined {
     return this.state.vehicles.get(this.chosen) ?? this.vehicles[0];
   }
@@ -77,13 +85,20 @@ export class Session {
     return vehicles.keys().next().value ?? station?.message.vehicles[0]?.name ?? "";
   }
 
+  /** The chosen vehicle's topic of pictures. */
+  get picture(): string {
+    return `/${this.vehicle?.name ?? ""}/${pictureTopic}`;
+  }
+
   /** Once a frame. */
   frame(): void {
     const late = performance.now() - this.fed_ms > late_ms;
     this.fed_ms = performance.now();
+    this.link.want(this.watching && !this.replay && !document.hidden ? this.picture : "");
     if (late) setTimeout(() => this.feedLive(), 50);
     else this.feedLive();
     if (this.replay) this.feedReplay(this.replay);
+    this.sound.hear(this.live.state);
   }
 
   choose(name: string): void {

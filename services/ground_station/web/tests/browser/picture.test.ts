@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture, who is chosen in it, and what is set on the page, against a stand-in.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+
+import { expectText, launch, open } from "../chromium.mjs";
+import { type StandIn, startStandIn } from "../stand_in.mjs";
+import { syntheticRecording } from "../write_mcap.mjs";
+
+let browser: Browser;
+let station: StandIn;
+let page: Page & { problems: string[] };
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+beforeEach(async () => {
+  station = await startStandIn({ vehicles: 2 });
+  page = await open(browser, station.url, { name: "ada" });
+});
+afterEach(async () => {
+  await page.context().close();
+  station.close();
+});
+
+const frame = ".camview .frame";
+const take = () => page.getByRole("button", { name: "Take control" }).click();
+const tab = (name: string) => page.getByRole("tab", { name }).click();
+const pictures = async () => Number(await page.getAttribute(frame, "data-pictures") ?? 0);
+
+/** In the list below the picture. */
+const tapPerson = (id: number) =>
+  page.locator(".people button", { hasText: new RegExp(`^. ${id} `) }).click();
+
+test("pictures are drawn as they come, with their age", async () => {
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  const first_ms = Number(await page.getAttribute(frame, "data-first"));
+  assert.ok(first_ms < 3000, `the first picture after ${first_ms} ms`);
+  const before = await pictures();
+  await page.waitForTimeout(1000);
+  assert.ok(await pictures() > before + 5);
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+  assert.ok(Number(await page.getAttribute(frame, "data-lag")) < 500);
+  assert.deepEqual(page.problems, []);
+});
+
+test("nothing is read while nobody looks, and it goes on when somebody does", async () => {
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  await page.getByRole("button", { name: "hide the picture" }).click();
+  await page.waitForTimeout(300);
+  const painted = station.painted;
+  await page.waitForTimeout(600);
+  assert.equal(station.painted, painted);
+  await page.getByRole("button", { name: "Picture", exact: true }).click();
+  await page.waitForSelector(`${frame}[data-pictures]`);
+});
+
+test("a picture that grows old is marked, and says how old it is", async () => {
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  station.blind.add("uav1");
+  await expectText(page, '[data-field="picture-age"]', /▲ \d+\.\d s old/);
+  assert.equal(await page.locator(".camview.old").count(), 1);
+  station.blind.clear();
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+});
+
+test("a vehicle without a camera says why there is no picture", async () => {
+  await page.context().close();
+  station.close();
+  station = await startStandIn({ vehicles: 1, blind: true });
+  page = await open(browser, station.url, { name: "ada" });
+  await expectText(page, ".camview .why", /No colour images come from the vehicle/);
+});
+
+test("a box that is tapped offers to follow that person, under the lease", async () => {
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  await page.getByRole("button", { name: "picture large" }).click();
+  await page.waitForSelector(".people button");
+  const box = (await page.locator(frame).boundingBox())!;
+  // The followed person is near the middle, under the horizon.
+  await page.mouse.click(box.x + box.width / 2, box.y + 0.6 * box.height);
+  await expectText(page, ".tapmenu", /person 1 · [12]\.\d m.*take control first/);
+  assert.ok(await page.locator(".tapmenu .follow").isDisabled());
+  await take();
+  await page.locator(".tapmenu .follow:not([disabled])").click();
+  await expectText(page, '[data-field="choice"]', /nobody is followed yet: tap a person/);
+  assert.deepEqual(station.bodies, [{ person_id: 0 }]);
+  await page.waitForSelector(".people button:not([disabled])");
+  await tapPerson(1);
+  await expectText(page, '[data-field="choice"]', /following person 1, 93 % sure/);
+  assert.deepEqual(station.bodies[1], { person_id: 1 });
+});
+
+test("where it is in doubt, both are shown, and the operator says who it is", async () => {
+  station.chosen.set("uav1", { state: 2, person_id: 1 });
+  await expectText(page, ".choice", /Who is it\?.*goes on in 8 s/);
+  assert.equal(await page.locator(".choice img").count(), 3);
+  const answer = page.locator(".choice figure:nth-of-type(3) button");
+  assert.ok(await answer.isDisabled());
+  await take();
+  await page.locator(".choice figure:nth-of-type(3) button:not([disabled])").click();
+  await page.waitForSelector(".choice", { state: "detached" });
+  assert.deepEqual(station.bodies, [{ person_id: 2 }]);
+  await expectText(page, '[data-field="choice"]', /following person 2/);
+});
+
+test("framing is set by sliders and presets, and what is set is shown", async () => {
+  await tab("Fly");
+  await expectText(page, '[data-field="framing"]', /as the parameters say/);
+  await expectText(page, ".framing .why", /take control first/);
+  assert.ok(await page.getByRole("button", { name: "Close behind" }).isDisabled());
+  await take();
+  await page.locator(".framing button:not([disabled])", { hasText: "Close behind" }).click();
+  await expectText(page, '[data-field="framing"]', /set: 2\.0 m, 0\.3 m above the torso, behind$/);
+  await page.getByRole("slider", { name: "distance" }).fill("4.5");
+  await expectText(page, '[data-field="framing"]', /set: 4\.5 m, 0\.3 m above the torso, behind$/);
+  await page.getByRole("radio", { name: "left" }).click();
+  await expectText(page, '[data-field="framing"]', /set: 4\.5 m, 0\.3 m above the torso, left$/);
+  assert.deepEqual(station.bodies.map((b) => b["distance_m"]), [2, 4.5, 4.5]);
+  assert.equal(station.bodies[2]!["bearing_rad"], Math.PI / 2);
+});
+
+test("a fence is drawn on the map, checked, and sent", async () => {
+  await tab("Fly");
+  await take();
+  await page.waitForSelector(".bounds button:not([disabled])");
+  const map = (await page.locator(".fencemap").boundingBox())!;
+  const send = page.getByRole("button", { name: "Send fence" });
+  const corners = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]] as const;
+  for (const [i, [x, y]] of corners.entries()) {
+    await page.mouse.click(map.x + x * map.width, map.y + y * map.height);
+    await page.waitForTimeout(300);
+    if (i === 0) await expectText(page, ".bounds .why", /three corners at least/);
+  }
+  await page.locator(".bounds input").nth(1).fill("6");
+  await send.click();
+  await expectText(page, ".bounds h2", /as it is set/);
+  const sent = station.bodies[0] as { fence_m: number[][]; altitude_max_m: number };
+  assert.equal(sent.fence_m.length, 4);
+  assert.ok(sent.fence_m[0]![1]! > sent.fence_m[2]![1]!, "north is up");
+  assert.equal(sent.altitude_max_m, 6);
+});
+
+test("the checklist says what is not ready, and take-off is held", async () => {
+  await tab("Fly");
+  await take();
+  await expectText(page, '[data-field="ready"]', /✓ ready/);
+  const take_off = page.locator(".checklist .hold").first();
+  await take_off.click();
+  assert.deepEqual(station.received, []);
+  await take_off.dispatchEvent("pointerdown", { button: 0 });
+  await page.waitForTimeout(900);
+  assert.deepEqual(station.received, ["ada: take_off uav1"]);
+  station.killed.add("planning");
+  await expectText(page, '[data-field="ready"]', /✗ not ready/, 10000);
+  await expectText(page, ".checklist li.red", /planning: silent/);
+  assert.ok(await take_off.isDisabled());
+});
+
+test("a recording shows its pictures, and nobody can be chosen in it", async () => {
+  const bytes = await syntheticRecording({ begin_s: 1_700_000_000, seconds: 5, pictures: true });
+  await tab("Recordings");
+  await page.setInputFiles('[aria-label="open a recording"]',
+    { name: "flight.mcap", mimeType: "application/octet-stream", buffer: Buffer.from(bytes) });
+  await page.getByRole("button", { name: "pause" }).click();
+  await page.getByRole("button", { name: "picture large" }).click();
+  await page.waitForSelector(".people button");
+  assert.ok(await page.locator(".people button").first().isDisabled());
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+  await page.getByRole("button", { name: "End replay" }).click();
+});
+
+test("a snapshot is a PNG with what lies over the picture", async () => {
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  const [download] = await Promise.all([page.waitForEvent("download"),
+    page.getByRole("button", { name: "snapshot" }).click()]);
+  assert.match(download.suggestedFilename(), /^uav1_\d+\.png$/);
+});
+
+test("alarms sound until they are acknowledged, unless they are muted", async () => {
+  await page.waitForSelector('[data-vehicle="uav2"]');
+  const played = () => page.evaluate("foretrack.sound.played") as Promise<number>;
+  assert.equal(await played(), 0);
+  station.silent.add("uav2");
+  await expectText(page, '[data-alarm="uav2 silent"]', /nothing heard/);
+  assert.ok(await played() >= 1);
+  await page.keyboard.press("a");
+  const before = await played();
+  await page.waitForTimeout(4500);
+  assert.equal(await played(), before);
+  await page.keyboard.press("m");
+  assert.equal(await page.evaluate("foretrack.sound.muted"), true);
+});
+
+test("on a phone the picture has a tab, and nothing of the new is cut off", async () => {
+  const phone = await open(browser, station.url, { width: 390, height: 844, name: "ada" });
+  for (const name of ["Picture", "Fly"]) {
+    await phone.getByRole("tab", { name, exact: true }).click();
+    await phone.waitForTimeout(300);
+    assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth) <= 390, name);
+    const box = (await phone.locator("button.stop").first().boundingBox())!;
+    assert.ok(box.y + box.height <= 844, name);
+  }
+  const wide = await phone.locator(".table").evaluate((e) => e.scrollWidth - e.clientWidth);
+  assert.ok(wide <= 0);
+  await phone.context().close();
+});

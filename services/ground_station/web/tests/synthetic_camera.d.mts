@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
+export function boxOf(t: number, index: number, at: { x: number; y: number }): number[] | null;
+export function pictureAt(t: number, index: number): [string, unknown][];
+export function colorInfoAt(t: number): [string, unknown];

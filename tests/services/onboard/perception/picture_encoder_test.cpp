@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "services/onboard/perception/picture_encoder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "services/common/time_now.hpp"
+#include "tests/services/common/bus.hpp"
+
+namespace foretrack::testing {
+namespace {
+
+RgbImage grey(int width, int height) {
+  return {width, height, std::vector<std::uint8_t>(3ul * width * height, 128)};
+}
+
+TEST(PictureEncoderTest, APictureComesBackScaledWithItsLabel) {
+  PictureEncoder encoder;
+  EncodedPicture out;
+  EXPECT_FALSE(encoder.take(out));
+  encoder.give(grey(320, 240), {12.5, "camera", 80, 60});
+  ASSERT_TRUE(eventually([&] { return encoder.take(out); }));
+  EXPECT_EQ(out.label.stamp_s, 12.5);
+  EXPECT_EQ(out.label.frame_id, "camera");
+  EXPECT_EQ(out.width_px, 80);
+  EXPECT_EQ(out.height_px, 60);
+  ASSERT_GT(out.jpeg.size(), 100u);
+  EXPECT_EQ(out.jpeg[0], 0xFF);
+  EXPECT_EQ(out.jpeg[1], 0xD8);
+  EXPECT_FALSE(encoder.take(out));
+}
+
+TEST(PictureEncoderTest, WhoGivesMoreThanCanBeEncodedDoesNotWaitAndTheNewestComesBack) {
+  PictureEncoder encoder;
+  const RgbImage large = grey(3000, 2000);
+  EncodedPicture out;
+  encoder.give(large, {0.0, "camera", 3000, 90});
+  const double begin_s = steady_s();
+  for (int i = 1; i <= 100; ++i) encoder.give(grey(32, 24), {1.0 * i, "camera", 32, 60});
+  EXPECT_LT(steady_s() - begin_s, 0.05);  // to encode the large one takes longer
+  ASSERT_TRUE(eventually([&] { return encoder.take(out) && out.label.stamp_s == 100.0; }));
+}
+
+}  // namespace
+}  // namespace foretrack::testing
