@@ -95,13 +95,16 @@ bool follows_same(const FleetPeer& peer, const FleetPerson* person, double now_s
                      person->position_enu_m) < kSamePerson_m;
 }
 
+bool can_compare(const FleetPeer& peer, const FleetMember& own) {
+  return sees(peer.ours) && sees(own) && follows_same(peer, own.followed(), own.stamp_s);
+}
+
 bool disagrees(const FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
-  if (!sees(peer.ours) || !sees(own) || !follows_same(peer, own.followed(), own.stamp_s))
-    return false;
   const FleetPerson theirs = at_time(*peer.ours.followed(), peer.ours.stamp_s, own.stamp_s);
   return apart2(theirs, *own.followed()) > params.gate_mahalanobis * params.gate_mahalanobis;
 }
 
+// Who lied stays a liar until both see the person again.
 void judge(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
   const bool common = peer.told.frame == own.frame;
   if (!common && !peer.alignment.is_sure(params)) {
@@ -109,12 +112,18 @@ void judge(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
     peer.disagrees_since_s = -1.0;
     return;
   }
-  if (!disagrees(peer, own, params)) peer.disagrees_since_s = -1.0;
-  else if (peer.disagrees_since_s < 0.0) peer.disagrees_since_s = own.stamp_s;
+  const bool compares = can_compare(peer, own);
+  if (!compares && peer.trust == FleetTrust::kLiar) return;
+  if (!compares || !disagrees(peer, own, params))
+    peer.disagrees_since_s = -1.0;
+  else if (peer.disagrees_since_s < 0.0)
+    peer.disagrees_since_s = own.stamp_s;
   const bool lies = peer.disagrees_since_s >= 0.0 &&
                     own.stamp_s - peer.disagrees_since_s >= params.liar_s;
-  if (lies) peer.trust = FleetTrust::kLiar;
-  else peer.trust = common ? FleetTrust::kCommon : FleetTrust::kAligned;
+  if (lies)
+    peer.trust = FleetTrust::kLiar;
+  else
+    peer.trust = common ? FleetTrust::kCommon : FleetTrust::kAligned;
 }
 
 bool is_believed(const FleetPeer& peer) {

@@ -140,13 +140,17 @@ TEST(Coordinate, ALiarIsFoundOutAndBelievedAgainWhenItIsNone) {
     fleet.tell(1, 0, message, now_s);
     const FleetResult r = fleet.step(0, now_s);
     const FleetTrust trust = fleet.states[0].peers[0].trust;
-    if (k < 5) EXPECT_EQ(trust, FleetTrust::kCommon) << "one word is no lie";
+    if (k < 5) {
+      EXPECT_EQ(trust, FleetTrust::kCommon) << "one word is no lie";
+    }
     if (k > 12 && k < 25) {
       EXPECT_EQ(trust, FleetTrust::kLiar);
       EXPECT_EQ(r.division.count, 1);
       EXPECT_EQ(r.peers.count, 1) << "kept clear of all the same";
     }
-    if (k >= 26) EXPECT_EQ(trust, FleetTrust::kCommon);
+    if (k >= 26) {
+      EXPECT_EQ(trust, FleetTrust::kCommon);
+    }
   }
 }
 
@@ -161,8 +165,6 @@ TEST(Coordinate, ALiarIsNotFollowedBlindly) {
   }
   ASSERT_EQ(fleet.states[0].peers[0].trust, FleetTrust::kLiar);
   fleet.inputs[0].target = lost(now_s);
-  // It cannot be compared any more, so it is believed no more than before only while it is heard to
-  // disagree: without an own view the last judgement would be dropped, and is kept.
   const FleetResult r = fleet.step(0, now_s);
   EXPECT_EQ(r.target.status, TrackStatus::kLost);
 }

@@ -31,15 +31,15 @@ TEST(PeerBody, WhoKeepsItsGapFromItKeepsTheSeparation) {
 
 TEST(PeerBody, WhoGivesWayKeepsMore) {
   const FleetParams params;
+  const FleetMember peer = hovering_at({0, 0, 1.5});
   PeerView view{.now_s = 10.0, .own_enu_m = {20, 0, 1.5}, .gap_min_m = kGap_m};
-  const double has_way = peer_body(hovering_at({0, 0, 1.5}), view, params).radius_m;
+  const double has_way = peer_body(peer, view, params).radius_m;
   view.gives_way = true;
-  EXPECT_NEAR(peer_body(hovering_at({0, 0, 1.5}), view, params).radius_m, has_way + params.yield_m,
-              1e-9);
+  EXPECT_NEAR(peer_body(peer, view, params).radius_m, has_way + params.yield_m, 1e-9);
 }
 
 TEST(PeerBody, OfTwoExactlyOneGivesWay) {
-  FleetMember a = hovering_at({}), b = hovering_at({});
+  FleetMember a = hovering_at({0, 0, 1}), b = a;
   a.vehicle = "uav1";
   EXPECT_NE(gives_way(a, b), gives_way(b, a));
 }
