@@ -121,6 +121,23 @@ void print_hidings(const std::vector<HidingCell>& cells) {
         c.until_found_p90_s, c.contacts, c.wall_contacts, c.least_gap_m);
 }
 
+void print_fleets(const std::vector<FleetCell>& cells) {
+  if (cells.empty()) return;
+  fmt::print(
+      "\n{:<10}{:<13}{:<7}{:>4} {:>7}  {:>7} {:>7} {:>7}  {:>11} {:>15} {:>8}  {:>6} {:>7} {:>5} "
+      "{:>5} {:>6}\n",
+      "fleet", "method", "map", "m/s", "flights", "union %", "two %", "band %", "seen 0.5 s",
+      "95 % interval", "unseen s", "apart", "below s", "hits", "walls", "people");
+  for (const FleetCell& c : cells)
+    fmt::print(
+        "{:<10}{:<13}{:<7}{:>4.1f} {:>7}  {:>7.2f} {:>7.2f} {:>7.2f}  {:>5}/{:<5} {:>6.1f} … "
+        "{:>5.1f} {:>8.2f}  {:>6.2f} {:>7.2f} {:>5} {:>5} {:>6}\n",
+        c.name, c.method, to_string(c.map), c.speed_m_s, c.flights, 100.0 * c.union_visibility,
+        100.0 * c.k2_visibility, 100.0 * c.band_share, c.events_seen, c.events,
+        100.0 * c.events_95.low, 100.0 * c.events_95.high, c.longest_unseen_s, c.min_separation_m,
+        c.below_separation_s, c.contacts, c.wall_contacts, c.person_contacts);
+}
+
 std::string command_of(const Options& o) {
   const BenchRequest& q = o.request;
   std::string text =
@@ -176,7 +193,10 @@ int bench_with(Options o) {
   if (interrupted != 0)
     fmt::print("\ninterrupted: these are the {} flights until then\n", results.jobs.size());
   print_hidings(results.hidings);
-  if (results.encounters.empty()) {
+  print_fleets(results.fleets);
+  if (!results.fleets.empty()) {
+    // The cells would tell of the first vehicle alone.
+  } else if (results.encounters.empty()) {
     print_cells(results);
   } else {
     print_encounters(results.encounters.by_kind, "kind");
@@ -210,13 +230,13 @@ std::function<int()> prepare_bench(CLI::App& app) {
   app.add_option(
          "NAME", o->names,
          "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
-         "chests, real_tracks_chest, encounters, encounters_all_round, search; or identity, alone")
+         "chests, real_tracks_chest, encounters, encounters_all_round, search, fleet; or identity, alone")
       ->capture_default_str();
   app.add_option("--runs", q.runs,
                  "seeds a world (real_tracks: pedestrians, identity: events) instead of the usual")
       ->check(CLI::Range(1, 100000));
   app.add_option("--seed", q.seed,
-                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 41001")
+                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 41001, fleet 51001")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,
                  "names of deploy/params, or parameter files, parted by commas; missing: all, "

@@ -28,6 +28,7 @@ BenchResults run_bench(const BenchRequest& request, const BenchOptions& options)
   r.scene_comparisons = compare(r.jobs, r.records, r.scenes);
   r.encounters = summarize_encounters(r.jobs, r.records);
   r.hidings = summarize_hidings(r.jobs, r.records);
+  r.fleets = summarize_fleets(r.jobs, r.records);
   if (options.out.empty()) return r;
   write_text(options.out / "summary.json", summary_json_of(r));
   write_text(options.out / "details.json", details_json_of(r));
@@ -35,6 +36,10 @@ BenchResults run_bench(const BenchRequest& request, const BenchOptions& options)
   if (!r.hidings.empty()) {
     write_text(options.out / "hidings.json", hidings_json_of(r.hidings));
     write_text(options.out / "hidings.csv", hidings_csv_of(r.jobs, r.records));
+  }
+  if (!r.fleets.empty()) {
+    write_text(options.out / "fleets.json", fleets_json_of(r.fleets));
+    write_text(options.out / "fleets.csv", fleets_csv_of(r.jobs, r.records));
   }
   if (r.encounters.empty()) return r;
   write_text(options.out / "encounters.json", encounters_json_of(r.encounters));

@@ -59,6 +59,24 @@ std::vector<Condition> hiding_conditions() {
   return all;
 }
 
+// One vehicle and several; and three of which one fails, or that hear each other badly.
+std::vector<Condition> fleet_conditions() {
+  const std::string three = "vehicles=[{}, {}, {}]";
+  const auto befalls = [&](std::string_view kind) {
+    return std::vector<std::string>{
+        three, fmt::format("failures=[{{vehicle: uav1, at_s: 20, kind: {}}}]", kind)};
+  };
+  return {{"1", {"vehicles=[{}]"}},
+          {"2", {"vehicles=[{}, {}]"}},
+          {"3", {three}},
+          {"5", {"vehicles=[{}, {}, {}, {}, {}]"}},
+          {"3_radio", {three, "link={loss: 0.3, delay_s: 0.3}"}},
+          {"3_apart", {three, "link={partitions: [{from_s: 15, to_s: 25, groups: [[uav1], [uav2, uav3]]}]}"}},
+          {"3_dies", befalls("dies")},
+          {"3_joins", befalls("joins")},
+          {"3_blind", befalls("blind")}};
+}
+
 Experiment encounters(std::string name, std::string summary, bool all_round) {
   return {.name = std::move(name),
           .summary = std::move(summary),
@@ -150,7 +168,20 @@ const std::vector<Experiment>& experiments() {
        .runs = 75,
        .quick_runs = 3,
        .apart = true,
-       .first_seed = kFirstHidingSeed}};
+       .first_seed = kFirstHidingSeed},
+      {.name = "fleet",
+       .summary = "one vehicle and several behind one person, where one vehicle fails",
+       .event = EventKind::kTurn,
+       .worlds = {"dense_boxes", "street_blocks", "hedges"},
+       .speeds_m_s = {2.0, 3.0},
+       .conditions = fleet_conditions(),
+       .duration_s = 40.0,
+       .runs = 6,
+       .quick_duration_s = 30.0,
+       .quick_speeds_m_s = {2.0},
+       .apart = true,
+       .methods = {std::string(kOurs)},
+       .first_seed = kFirstFleetSeed}};
   return all;
 }
 

@@ -13,6 +13,7 @@ namespace foretrack {
 inline constexpr std::uint64_t kFirstEvaluationSeed = 5001;
 inline constexpr std::uint64_t kFirstEncounterSeed = 20001;
 inline constexpr std::uint64_t kFirstHidingSeed = 31001;  // searches are tuned on 30001–30099
+inline constexpr std::uint64_t kFirstFleetSeed = 51001;
 
 /// What is counted, and judged as docs/metrics.md says.
 enum class EventKind : std::uint8_t {
@@ -49,7 +50,7 @@ struct Experiment {
 };
 
 /// All of them: turning, deceleration, t_intersection, real_tracks, stress, and those apart:
-/// chests, real_tracks_chest, encounters, encounters_all_round and search.
+/// chests, real_tracks_chest, encounters, encounters_all_round, search and fleet.
 const std::vector<Experiment>& experiments();
 
 /// Throws std::invalid_argument that lists the names.

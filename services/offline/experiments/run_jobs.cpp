@@ -10,7 +10,7 @@
 
 #include "services/common/time_now.hpp"
 #include "services/files/config/load_params.hpp"
-#include "services/offline/flight/fly.hpp"
+#include "services/offline/flight/fly_fleet.hpp"
 
 namespace foretrack {
 namespace {
@@ -89,11 +89,28 @@ class Pool {
 
 }  // namespace
 
+namespace {
+
+RunRecord run_fleet(const FlightJob& job, const Scenario& scenario, const TrackerParams& params,
+                    const LogSink& sink) {
+  const FleetFlight flight = fly_fleet(scenario, params);
+  const std::string log = csv_of(flight.vehicles.front().rows);
+  RunRecord record =
+      record_of(flight.vehicles.front(), log, {}, job.event, metric_params_of(params));
+  record.fleet = flight.metrics;
+  if (sink) sink(job, record, log);
+  return record;
+}
+
+}  // namespace
+
 RunRecord run_job(const FlightJob& job, const LogSink& sink) {
   const TrackerParams params = load_params(job.params);
+  const Scenario scenario = load_scenario(job.world, job.overrides);
+  if (!scenario.vehicles.empty()) return run_fleet(job, scenario, params, sink);
   PathRecord paths;
   const FlightResult flight =
-      fly(load_scenario(job.world, job.overrides), params, {}, [&](const TrackerOutput& out) {
+      fly(scenario, params, {}, [&](const TrackerOutput& out) {
         if (out.planned) paths.add(out.target, out.prediction->prediction);
       });
   const std::string log = csv_of(flight.rows);

@@ -10,6 +10,7 @@
 #include "services/offline/experiments/flight_job.hpp"
 #include "services/offline/experiments/path_record.hpp"
 #include "services/offline/flight/encounters.hpp"
+#include "services/offline/flight/fleet_metrics.hpp"
 #include "services/offline/flight/fly_pilot.hpp"
 #include "services/offline/flight/hidings.hpp"
 
@@ -62,6 +63,7 @@ struct RunRecord {
   std::optional<Encounter> staged;
   std::vector<EncounterRecord> encounters;  // where one was staged
   std::vector<HidingRecord> hidings;        // the same
+  std::optional<FleetMetrics> fleet;        // where the scenario has vehicles; the rest is the first's
   double longest_hover_s = 0.0;
 
   bool failed() const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/offline/experiments/encounter_summary.hpp"
+#include "services/offline/experiments/fleet_summary.hpp"
 #include "services/offline/experiments/hiding_summary.hpp"
 #include "services/offline/experiments/run_record.hpp"
 #include "services/offline/experiments/statistics.hpp"
@@ -62,6 +63,7 @@ struct BenchResults {
   std::vector<Comparison> scene_comparisons;  // of scenes
   EncounterSummary encounters;
   std::vector<HidingCell> hidings;
+  std::vector<FleetCell> fleets;
 };
 
 }  // namespace foretrack

@@ -44,7 +44,8 @@ struct FleetMetrics {
   double mutual_occlusion = 0.0;   // share of vehicles' time with a vehicle in the line of sight
   double min_separation_m = 0.0;   // hull to hull; infinite with one
   double below_separation_s = 0.0; // nearer than what is promised
-  int contacts = 0;
+  int contacts = 0;                // of two vehicles
+  int wall_contacts = 0, person_contacts = 0;  // of all vehicles
   double stacked_s = 0.0;          // one below another one, within 2 m
   double separation_score = 0.0;   // mean least angle between two, as seen from the person, of an even one
   int handovers = 0;               // of the place in the band

@@ -166,6 +166,10 @@ class FlyingFleet {
                                     .downwash_m = params_.fleet.downwash_m,
                                     .band_low_m = metrics.band_low_m,
                                     .band_high_m = metrics.band_high_m});
+    for (const FlightResult& one : out.vehicles) {
+      out.metrics.wall_contacts += one.metrics.collisions;
+      out.metrics.person_contacts += one.metrics.person_contacts;
+    }
     out.rows = std::move(rows_);
     return out;
   }

@@ -25,6 +25,8 @@ Json json_of(const FleetMetrics& m) {
           {"min_separation_m", finite_json(m.min_separation_m)},
           {"below_separation_s", m.below_separation_s},
           {"contacts", m.contacts},
+          {"wall_contacts", m.wall_contacts},
+          {"person_contacts", m.person_contacts},
           {"stacked_s", m.stacked_s},
           {"separation_score", m.separation_score},
           {"handovers", m.handovers},
