@@ -30,8 +30,8 @@ struct Framing {
   bool operator==(const Framing& other) const {
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     return same(distance_m, other.distance_m) && same(height_m, other.height_m) &&
-           same(bearing_rad, other.bearing_rad) &&
-           same(bearing_enu_rad, other.bearing_enu_rad) && same(circling_rad_s, other.circling_rad_s);
+           same(bearing_rad, other.bearing_rad) && same(bearing_enu_rad, other.bearing_enu_rad) &&
+           same(circling_rad_s, other.circling_rad_s);
   }
 };
 

@@ -6,10 +6,10 @@
 namespace foretrack {
 namespace {
 
-constexpr double kPairs_s = 0.1;         // least time between two pairs
-constexpr double kCorrelation_s = 1.0;   // so long the errors of estimates hold
-constexpr double kLeastSigma_m = 0.05;   // of a pair, whatever the residuals say
-constexpr double kLeastPairs = 3.0;      // independent ones
+constexpr double kPairs_s = 0.1;        // least time between two pairs
+constexpr double kCorrelation_s = 1.0;  // so long the errors of estimates hold
+constexpr double kLeastSigma_m = 0.05;  // of a pair, whatever the residuals say
+constexpr double kLeastPairs = 3.0;     // independent ones
 
 double cross(const Vec3& a, const Vec3& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -51,7 +51,8 @@ Vec3 FrameAlignment::turned(const Vec3& theirs) const {
 void add_pair(AlignmentSums& s, double stamp_s, const Vec3& theirs_m, const Vec3& ours_m,
               const FleetParams& params) {
   if (stamp_s < s.stamp_s + kPairs_s) return;
-  const double kept = s.weight > 0.0 ? std::exp((s.stamp_s - stamp_s) / params.align_memory_s) : 0.0;
+  const double kept =
+      s.weight > 0.0 ? std::exp((s.stamp_s - stamp_s) / params.align_memory_s) : 0.0;
   s.stamp_s = stamp_s;
   for (double* sum : {&s.weight, &s.theirs_m2, &s.ours_m2, &s.dot_m2, &s.cross_m2}) *sum *= kept;
   const Vec3 p = theirs_m - s.theirs_m, q = ours_m - s.ours_m;

@@ -7,7 +7,7 @@
 namespace foretrack {
 namespace {
 
-constexpr int kLooks = 4;  // over the time ahead
+constexpr int kLooks = 4;            // over the time ahead
 constexpr double kWallGap_m = 0.15;  // between the vehicle's ball and what stands behind its seat
 constexpr double kUnlikely = 0.03;
 
@@ -100,8 +100,8 @@ class Looking {
 
   Vec3 place_on(const PredictedPath* path, double ahead_s) const {
     if (!path || path->states.empty()) return in_.person_enu_m;
-    const double t_s = std::min(in_.now_s - in_.prediction->stamp_s + ahead_s,
-                                path->states.back().time_s);
+    const double t_s =
+        std::min(in_.now_s - in_.prediction->stamp_s + ahead_s, path->states.back().time_s);
     Vec3 place = path->at(t_s).position_enu_m;
     place.z() = in_.person_enu_m.z();
     return place;
@@ -126,7 +126,8 @@ std::array<SeatBid, kSeatCount> bid_for_seats(const BidInput& in, const FleetPar
   looking.set_ways(bids);
   const bool predicted = in.prediction && !in.prediction->paths.empty();
   for (int sector = 0; sector < kSeatSectors; ++sector) {
-    if (!predicted) looking.look(nullptr, 0, sector, bids);
+    if (!predicted)
+      looking.look(nullptr, 0, sector, bids);
     else
       for (const PredictedPath& path : in.prediction->paths)
         if (path.probability >= kUnlikely && index_of(path.intention) < kMaxIntentions)

@@ -77,14 +77,14 @@ bool sees(const FleetMember& member) {
 void meet(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
   const bool common = peer.told.frame == own.frame;
   if (sees(peer.told) && sees(own) && !common)
-    add_pair(peer.pairs, peer.told.stamp_s,
-             peer.told.followed()->position_enu_m,
+    add_pair(peer.pairs, peer.told.stamp_s, peer.told.followed()->position_enu_m,
              at_time(*own.followed(), own.stamp_s, peer.told.stamp_s).position_enu_m +
-                 std::min(peer.told.stamp_s - own.stamp_s, 0.0) *
-                     own.followed()->velocity_enu_m_s,
+                 std::min(peer.told.stamp_s - own.stamp_s, 0.0) * own.followed()->velocity_enu_m_s,
              params);
-  if (common) peer.alignment = {.yaw_sigma_rad = 0.0, .position_sigma_m = 0.0};
-  else peer.alignment = align_frame(peer.pairs);
+  if (common)
+    peer.alignment = {.yaw_sigma_rad = 0.0, .position_sigma_m = 0.0};
+  else
+    peer.alignment = align_frame(peer.pairs);
   peer.ours = in_our_frame(peer.told, peer.alignment);
 }
 
@@ -118,8 +118,8 @@ void judge(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
     peer.disagrees_since_s = -1.0;
   else if (peer.disagrees_since_s < 0.0)
     peer.disagrees_since_s = own.stamp_s;
-  const bool lies = peer.disagrees_since_s >= 0.0 &&
-                    own.stamp_s - peer.disagrees_since_s >= params.liar_s;
+  const bool lies =
+      peer.disagrees_since_s >= 0.0 && own.stamp_s - peer.disagrees_since_s >= params.liar_s;
   if (lies)
     peer.trust = FleetTrust::kLiar;
   else

@@ -11,7 +11,8 @@
 
 namespace foretrack {
 
-/// What this vehicle knows. World ENU of `frame`. What pointers lead to is read during the call only.
+/// What this vehicle knows. World ENU of `frame`. What pointers lead to is read during the call
+/// only.
 struct FleetInput {
   double now_s = 0.0;
   ShortText vehicle, frame;  ///< names
@@ -30,9 +31,9 @@ struct FleetInput {
 
 /// Where the person is to be seen from.
 struct SeatPlace {
-  bool is_alone = true;     ///< nobody else follows the person: all that follows is nothing
+  bool is_alone = true;  ///< nobody else follows the person: all that follows is nothing
   SeatRing ring = SeatRing::kNear;
-  Seat seat;                ///< none: in any direction
+  Seat seat;                 ///< none: in any direction
   double bearing_rad = 0.0;  ///< of the vehicle from the person, world; with a seat
   double distance_m = 0.0;
 };
@@ -43,12 +44,14 @@ struct FleetResult {
   SeatPlace place;
   MovingBodies peers;  ///< to be kept clear of
   TargetState target;  ///< by its own eyes, or by the others' when it does not see them
-  double separation_m = 0.0;  ///< hull to hull, least of the pairs with this vehicle; infinite alone
+  double separation_m =
+      0.0;  ///< hull to hull, least of the pairs with this vehicle; infinite alone
 };
 
 /// Align frames → fuse the target → bid for seats → divide → bodies. Deterministic: the same
 /// messages give the same division to every vehicle that has heard them. The messages are taken
-/// before, by hear(). Cost: 0.1 ms for the bids, and some 20 µs for three vehicles; allocates nothing.
+/// before, by hear(). Cost: 0.1 ms for the bids, and some 20 µs for three vehicles; allocates
+/// nothing.
 FleetResult coordinate(FleetState& state, const FleetInput& input, const FleetParams& params);
 
 }  // namespace foretrack

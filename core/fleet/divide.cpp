@@ -58,7 +58,8 @@ class Dividing {
       const FleetPerson* person = members_[v].followed();
       const bool knows = person && (person->status == TrackStatus::kTracking ||
                                     person->status == TrackStatus::kCoasting);
-      double cost = knows ? distance_xy(members_[v].position_enu_m, person->position_enu_m) : kFar_m;
+      double cost =
+          knows ? distance_xy(members_[v].position_enu_m, person->position_enu_m) : kFar_m;
       if (knows && members_[v].is_near) cost = -1.0;
       if (cost >= least) continue;
       least = cost;
@@ -76,7 +77,8 @@ class Dividing {
     sum -= params_.way_weight_per_s * b.way_s;
     if (seat == members_[v].seat) sum += params_.keep_weight;
     for (std::size_t other = 0; other < members_.size(); ++other)
-      if (other != v && !out_.parts[other].seat.is_none()) sum -= beside(seat, out_.parts[other].seat);
+      if (other != v && !out_.parts[other].seat.is_none())
+        sum -= beside(seat, out_.parts[other].seat);
     return sum;
   }
 

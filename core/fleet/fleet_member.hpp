@@ -33,7 +33,7 @@ struct Seat {
 struct SeatBid {
   static constexpr float kCannot_s = 25.5F;  ///< it is not free, or too far
 
-  float way_s = kCannot_s;                  ///< time to get there
+  float way_s = kCannot_s;                   ///< time to get there
   std::array<float, kMaxIntentions> sees{};  ///< share of the next time, for each intention
   bool possible() const { return way_s < kCannot_s; }
 };

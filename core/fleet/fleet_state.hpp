@@ -35,14 +35,12 @@ struct FleetState {
   bool is_near = false;               ///< we are the one in the band
 
   std::span<FleetPeer> all() { return {peers.data(), static_cast<std::size_t>(count)}; }
-  std::span<const FleetPeer> all() const {
-    return {peers.data(), static_cast<std::size_t>(count)};
-  }
+  std::span<const FleetPeer> all() const { return {peers.data(), static_cast<std::size_t>(count)}; }
 };
 
 /// Takes a message of another vehicle: the newest counts, in whatever order they come. A vehicle
-/// beyond those that there is room for is left out. One that was silent for so long that it may have
-/// begun anew counts from its first number on.
+/// beyond those that there is room for is left out. One that was silent for so long that it may
+/// have begun anew counts from its first number on.
 void hear(FleetState& state, const FleetMember& message, double now_s, const FleetParams& params);
 
 /// Forgets those who were not heard for forget_s.

@@ -35,8 +35,7 @@ FleetPerson at_time(FleetPerson person, double from_s, double to_s) {
 }
 
 double apart2(const FleetPerson& a, const FleetPerson& b) {
-  const Mat2 covariance =
-      a.covariance.topLeftCorner<2, 2>() + b.covariance.topLeftCorner<2, 2>();
+  const Mat2 covariance = a.covariance.topLeftCorner<2, 2>() + b.covariance.topLeftCorner<2, 2>();
   const Vec2 d = (a.position_enu_m - b.position_enu_m).head<2>();
   return d.dot(covariance.ldlt().solve(d));
 }

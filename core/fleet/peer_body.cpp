@@ -45,8 +45,8 @@ MovingBody peer_body(const FleetMember& peer, const PeerView& view, const FleetP
   body.velocity_enu_m_s << (next - body.position_enu_m).head<2>() / kPlaceStep_s, 0.0;
   body.height_m = 2.0 * params.downwash_m;
   const double wanted_m = least_m + grown_m(age_s, params) + 2.0 * view.frame_sigma_m;
-  const double room_m = distance_xy(body.position_enu_m, view.own_enu_m) - peer.radius_m -
-                        view.gap_min_m - kFit_m;
+  const double room_m =
+      distance_xy(body.position_enu_m, view.own_enu_m) - peer.radius_m - view.gap_min_m - kFit_m;
   body.radius_m = std::max(std::min(wanted_m, room_m), std::min(least_m, wanted_m));
   for (int i = 0; i < MovingBody::kMaxPlaces; ++i)
     body.places_enu_m[body.place_count++] = foot(view.now_s + (i + 1) * kPlaceStep_s);

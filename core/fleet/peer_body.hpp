@@ -18,8 +18,8 @@ struct PeerView {
 };
 
 /// An upright cylinder that holds the other's hull, what is kept from it, and its downwash; its
-/// places are those of its plan. It grows as the message ages: after silent_s, the other stops; then
-/// it may be anywhere it can be.
+/// places are those of its plan. It grows as the message ages: after silent_s, the other stops;
+/// then it may be anywhere it can be.
 MovingBody peer_body(const FleetMember& peer, const PeerView& view, const FleetParams& params);
 
 /// Who gives way: the one whose name is the greater. No two wait for each other.

@@ -76,12 +76,11 @@ void move_bearing(FramingState& s, const PlanInput& in, double dt_s, const Plann
   b.at_s = in.now_s;
   b.now_rad = wrap_angle(vehicle_rad + lead_rad);
   b.circling_rad_s = wanted.circling_rad_s;
-  b.rate_rad_s = (wanted.is_seat ? params.framing.seat_around_m_s
-                                  : params.framing.framing_around_m_s) /
-                 s.distance_m;
+  b.rate_rad_s =
+      (wanted.is_seat ? params.framing.seat_around_m_s : params.framing.framing_around_m_s) /
+      s.distance_m;
   s.gone_round_rad = circles ? wrap_angle(s.gone_round_rad + wanted.circling_rad_s * dt_s) : 0.0;
-  b.offset_rad =
-      fixed ? wrap_angle(fixed_rad + s.gone_round_rad - b.now_rad) : 0.0;
+  b.offset_rad = fixed ? wrap_angle(fixed_rad + s.gone_round_rad - b.now_rad) : 0.0;
 }
 
 // The band keeps its width, as far as it is safe.

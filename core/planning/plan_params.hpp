@@ -87,8 +87,8 @@ struct FramingParams {
   double framing_change_m_s = 0.4;  ///< a distance or height that is ordered is come to so fast
   /// the vehicle goes round the person so fast to where it is ordered, at most
   double framing_around_m_s = 0.8;
-  double seat_around_m_s = 2.0;  ///< the same, to its seat in a fleet
-  double seat_change_m_s = 1.2;  ///< the distance of a seat in a fleet is come to so fast
+  double seat_around_m_s = 2.0;            ///< the same, to its seat in a fleet
+  double seat_change_m_s = 1.2;            ///< the distance of a seat in a fleet is come to so fast
   double framing_half_angle_rad = 0.25;    ///< a bearing that is ordered is kept to within this
   double framing_elevation_max_rad = 0.5;  ///< from no steeper the person is looked at
 };

@@ -31,7 +31,7 @@ struct LinkPartition {
 
 /// The radio between vehicles.
 struct LinkParams {
-  double loss = 0.0;      ///< share of messages that do not arrive, for each receiver
+  double loss = 0.0;  ///< share of messages that do not arrive, for each receiver
   double delay_s = 0.0;
   double jitter_s = 0.0;  ///< up to so much is added; messages may overtake each other
   std::vector<LinkPartition> partitions;

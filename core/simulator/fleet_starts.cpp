@@ -34,8 +34,7 @@ Vec3 free_place(const World& world, const Person& who, const std::vector<Vec3>& 
 
 }  // namespace
 
-std::vector<Vec3> fleet_starts(const Scenario& scenario, const World& world,
-                               const Person& person) {
+std::vector<Vec3> fleet_starts(const Scenario& scenario, const World& world, const Person& person) {
   std::vector<Vec3> taken;
   for (const FleetVehicle& vehicle : scenario.vehicles)
     if (vehicle.position_enu_m) taken.push_back(*vehicle.position_enu_m);

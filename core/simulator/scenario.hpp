@@ -51,10 +51,10 @@ struct Scenario {
   World world;  // the shapes given one by one
   WorldGenerator generator;
   TargetSpec target;
-  std::optional<Vec3> vehicle_enu_m;  // none: 2 m behind the target, or the nearest free place
-  double vehicle_yaw_rad = 0.0;       // used with vehicle_enu_m
-  bool parked = false;                // on the ground there, disarmed; else it hovers armed
-  int vehicle_number = 0;             // of a fleet: each draws noise of its own
+  std::optional<Vec3> vehicle_enu_m;   // none: 2 m behind the target, or the nearest free place
+  double vehicle_yaw_rad = 0.0;        // used with vehicle_enu_m
+  bool parked = false;                 // on the ground there, disarmed; else it hovers armed
+  int vehicle_number = 0;              // of a fleet: each draws noise of its own
   std::vector<FleetVehicle> vehicles;  // empty: one, as the lines above say
   LinkParams link;                     // between them
   std::vector<FleetFailure> failures;

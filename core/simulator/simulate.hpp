@@ -45,7 +45,7 @@ struct SimulatorState {
   SimulatorOutput output;
   std::vector<Vec3> peers_enu_m;  ///< other vehicles: what cameras see of them, set by the caller
   bool blind = false;             ///< its camera sees nobody any more
-  bool people_wait = false;  ///< nobody walks, and what they do by the clock is put off
+  bool people_wait = false;       ///< nobody walks, and what they do by the clock is put off
 };
 
 /// At time 0: the person stands at the start, the vehicle hovers armed or is parked. Each part

@@ -9,7 +9,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kFleet_s = 0.1;        // between two messages
+constexpr double kFleet_s = 0.1;       // between two messages
 constexpr double kFleetStale_s = 0.5;  // what the others see is used for so long
 
 // Bodies of others and peers: all that planner and gate keep clear of.
@@ -25,22 +25,21 @@ void take_part(TrackerState& state, const TrackerInput& input, const TrackerPara
     hear(state.fleet, message, input.now_s, params.fleet);
   if (input.now_s < state.next_fleet_s) return;
   state.next_fleet_s = input.now_s + kFleet_s - 1e-6;
-  state.coordinated =
-      coordinate(state.fleet,
-                 {.now_s = input.now_s,
-                  .vehicle = input.fleet->vehicle,
-                  .frame = input.fleet->frame,
-                  .state = input.vehicle,
-                  .radius_m = params.planning.body.hull_radius_m,
-                  .battery = input.fleet->battery,
-                  .flies = is_active(state.gate.mission.phase),
-                  .gap_min_m = params.planning.body.gap_min_m,
-                  .target = out.target,
-                  .prediction = &state.prediction.result.prediction,
-                  .intention = &state.prediction.result.intention,
-                  .plan = &state.planning.flown_result().trajectory,
-                  .map = out.map},
-                 params.fleet);
+  state.coordinated = coordinate(state.fleet,
+                                 {.now_s = input.now_s,
+                                  .vehicle = input.fleet->vehicle,
+                                  .frame = input.fleet->frame,
+                                  .state = input.vehicle,
+                                  .radius_m = params.planning.body.hull_radius_m,
+                                  .battery = input.fleet->battery,
+                                  .flies = is_active(state.gate.mission.phase),
+                                  .gap_min_m = params.planning.body.gap_min_m,
+                                  .target = out.target,
+                                  .prediction = &state.prediction.result.prediction,
+                                  .intention = &state.prediction.result.intention,
+                                  .plan = &state.planning.flown_result().trajectory,
+                                  .map = out.map},
+                                 params.fleet);
   out.fleet = &state.coordinated;
 }
 

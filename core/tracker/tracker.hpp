@@ -69,14 +69,14 @@ struct TrackerState {
   std::optional<std::uint32_t> follow_order;              ///< that was taken in the last step
   std::array<PersonLook, MovingBodies::kCapacity> looks;  ///< of around
   MovingBodies around;                                    ///< at the last step
-  MovingBodies kept_clear;  ///< the same with the fleet's others
+  MovingBodies kept_clear;                                ///< the same with the fleet's others
   PredictionState prediction;
   PlanningState planning;
   GateState gate;
   FleetState fleet;
-  FleetResult coordinated;  ///< at the last step of the fleet
-  double delay_s = 0.0;       ///< age of the newest observation when it came
-  double next_plan_s = -1.0;  ///< no plan is made earlier
+  FleetResult coordinated;     ///< at the last step of the fleet
+  double delay_s = 0.0;        ///< age of the newest observation when it came
+  double next_plan_s = -1.0;   ///< no plan is made earlier
   double next_fleet_s = -1.0;  ///< nothing is told earlier
 };
 
@@ -94,10 +94,10 @@ struct TrackerOutput {
   GateResult gate;                       ///< what the flight controller is to be given
 };
 
-/// perceive → update map → track bodies → coordinate → predict → choose → plan → gate. Predictions and
-/// plans are made once in planning.horizon.plan_period_s, as soon as there is a map. Call it at the gate's
-/// rate (100 Hz). Cost: some microseconds; with an observation 40 µs, with a depth image 5 ms, with
-/// a plan 1 ms more. Allocates nothing after the first seconds in a known map.
+/// perceive → update map → track bodies → coordinate → predict → choose → plan → gate. Predictions
+/// and plans are made once in planning.horizon.plan_period_s, as soon as there is a map. Call it at
+/// the gate's rate (100 Hz). Cost: some microseconds; with an observation 40 µs, with a depth image
+/// 5 ms, with a plan 1 ms more. Allocates nothing after the first seconds in a known map.
 TrackerOutput step(TrackerState& state, const TrackerInput& input, const TrackerParams& params);
 
 }  // namespace foretrack

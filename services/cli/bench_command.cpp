@@ -227,16 +227,17 @@ int tell_people_apart(const BenchRequest& request) {
 std::function<int()> prepare_bench(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   BenchRequest& q = o->request;
-  app.add_option(
-         "NAME", o->names,
-         "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
-         "chests, real_tracks_chest, encounters, encounters_all_round, search, fleet; or identity, alone")
+  app.add_option("NAME", o->names,
+                 "turning, deceleration, t_intersection, real_tracks, stress, all of these, or "
+                 "chests, real_tracks_chest, encounters, encounters_all_round, search, fleet; or "
+                 "identity, alone")
       ->capture_default_str();
   app.add_option("--runs", q.runs,
                  "seeds a world (real_tracks: pedestrians, identity: events) instead of the usual")
       ->check(CLI::Range(1, 100000));
   app.add_option("--seed", q.seed,
-                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 41001, fleet 51001")
+                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 41001, "
+                 "fleet 51001")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,
                  "names of deploy/params, or parameter files, parted by commas; missing: all, "

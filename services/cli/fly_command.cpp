@@ -11,8 +11,8 @@
 #include "services/cli/scenario_options.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
-#include "services/offline/flight/write_fleet.hpp"
 #include "services/offline/flight/metrics_json.hpp"
+#include "services/offline/flight/write_fleet.hpp"
 #include "services/offline/flight/write_flight.hpp"
 
 namespace foretrack {
@@ -65,8 +65,9 @@ void name_unfitted() {
 
 void print_fleet(const FleetFlight& flight) {
   const FleetMetrics& m = flight.metrics;
-  fmt::print("seen by one       {:6.2f} %  of the time; by two {:.2f} %; by nobody for {:.2f} s at most\n",
-             100.0 * m.union_visibility, 100.0 * m.k2_visibility, m.longest_unseen_s);
+  fmt::print(
+      "seen by one       {:6.2f} %  of the time; by two {:.2f} %; by nobody for {:.2f} s at most\n",
+      100.0 * m.union_visibility, 100.0 * m.k2_visibility, m.longest_unseen_s);
   fmt::print("separation        {:6.2f} m least, below the promise for {:.2f} s, {} contacts\n",
              m.min_separation_m, m.below_separation_s, m.contacts);
   fmt::print("one in the band   {:6.2f} %  of the time, {} handovers\n", 100.0 * m.band_share,
@@ -76,15 +77,15 @@ void print_fleet(const FleetFlight& flight) {
   fmt::print("told              {:6.1f} kB/s by each\n", 0.001 * m.bytes_per_s);
   for (std::size_t i = 0; i < flight.names.size(); ++i) {
     const Metrics& v = flight.vehicles[i].metrics;
-    fmt::print("{:<18}sees {:.1f} %, {:.2f} m away on average, {} collisions, {} contacts with people\n",
-               flight.names[i], 100.0 * (1.0 - v.fov_loss_rate), v.mean_distance_m, v.collisions,
-               v.person_contacts);
+    fmt::print(
+        "{:<18}sees {:.1f} %, {:.2f} m away on average, {} collisions, {} contacts with people\n",
+        flight.names[i], 100.0 * (1.0 - v.fov_loss_rate), v.mean_distance_m, v.collisions,
+        v.person_contacts);
   }
 }
 
 int fly_fleet_with(const FlyOptions& o, const Scenario& scenario, const TrackerParams& params) {
-  const FleetFlight flight =
-      fly_fleet(scenario, params, with_progress_line(scenario.duration_s));
+  const FleetFlight flight = fly_fleet(scenario, params, with_progress_line(scenario.duration_s));
   if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r{:40}\r", "");
   if (!o.out.empty()) write_fleet_flight(flight, metric_params_of(params), o.out);
   if (o.json)

@@ -124,8 +124,7 @@ struct GroundImage {
 };
 struct GroundCameraInfo {
   using Type = sensor_msgs::msg::CameraInfo;
-  static constexpr TopicInfo info{"camera/ground/camera_info", Scope::kVehicle, "sensor",
-                                  kVehicle};
+  static constexpr TopicInfo info{"camera/ground/camera_info", Scope::kVehicle, "sensor", kVehicle};
 };
 struct GroundVideo {
   using Type = foxglove_msgs::msg::CompressedVideo;
@@ -251,12 +250,12 @@ using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorImageCompressed,
                ColorCameraInfo, Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints,
                TargetIntention, TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState,
-               MissionCommand, ServiceHealth, BodySightings, MovingBodies, TargetChoice, GroundImage,
-               GroundCameraInfo, GroundVideo, FleetMember, FleetDivision, FleetBodies, FleetTarget,
-               PredictionPath, PlanPath,
-               Markers, Transforms, StaticTransforms, Diagnostics, TargetTruth, VehicleTruth,
-               Px4VehicleOdometry, Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode,
-               Px4BatteryStatus, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
-               Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+               MissionCommand, ServiceHealth, BodySightings, MovingBodies, TargetChoice,
+               GroundImage, GroundCameraInfo, GroundVideo, FleetMember, FleetDivision, FleetBodies,
+               FleetTarget, PredictionPath, PlanPath, Markers, Transforms, StaticTransforms,
+               Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
+               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4FailsafeFlags,
+               Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
+               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxVehicles = 16;
 
-void read_vehicle(YamlReader& r, std::size_t number, FleetVehicle& vehicle) {
-  vehicle.name = fmt::format("uav{}", number);
+void read_vehicle(YamlReader& r, FleetVehicle& vehicle) {
   r.text("name", vehicle.name);
   if (r.has("position_m")) r.point("position_m", vehicle.position_enu_m.emplace());
   r.number("yaw_rad", vehicle.yaw_rad, -2.0 * kPi, 2.0 * kPi);
@@ -66,17 +65,17 @@ void check_names(YamlReader& r, const Scenario& s) {
 }  // namespace
 
 void read_fleet(YamlReader& r, Scenario& s) {
-  if (r.has("vehicles") && r.has("vehicle"))
-    r.fault("vehicles", "give either vehicle or vehicles");
+  if (r.has("vehicles") && r.has("vehicle")) r.fault("vehicles", "give either vehicle or vehicles");
   r.list("vehicles", [&](YamlReader& item) {
-    read_vehicle(item, s.vehicles.size() + 1, s.vehicles.emplace_back());
+    FleetVehicle& vehicle = s.vehicles.emplace_back();
+    vehicle.name = fmt::format("uav{}", s.vehicles.size());
+    read_vehicle(item, vehicle);
   });
   if (s.vehicles.size() > kMaxVehicles)
-    r.fault("vehicles", fmt::format("{} of them, expected {} at most", s.vehicles.size(),
-                                    kMaxVehicles));
+    r.fault("vehicles",
+            fmt::format("{} of them, expected {} at most", s.vehicles.size(), kMaxVehicles));
   r.section("link", [&](YamlReader& item) { read_link(item, s.link); });
-  r.list("failures",
-         [&](YamlReader& item) { read_failure(item, s.failures.emplace_back()); });
+  r.list("failures", [&](YamlReader& item) { read_failure(item, s.failures.emplace_back()); });
   check_names(r, s);
 }
 

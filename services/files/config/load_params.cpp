@@ -57,10 +57,14 @@ std::string range_of(const ParamRow& row) {
 }  // namespace
 
 Stages stages_of(TrackerParams& params) {
-  return {{"perception", rows(params.perception)}, {"mapping", rows(params.mapping)},
-          {"bodies", rows(params.bodies)},         {"choice", rows(params.choice)},
-          {"prediction", rows(params.prediction)}, {"planning", rows(params.planning)},
-          {"safety", rows(params.safety)},         {"ground_stream", rows(params.ground_stream)},
+  return {{"perception", rows(params.perception)},
+          {"mapping", rows(params.mapping)},
+          {"bodies", rows(params.bodies)},
+          {"choice", rows(params.choice)},
+          {"prediction", rows(params.prediction)},
+          {"planning", rows(params.planning)},
+          {"safety", rows(params.safety)},
+          {"ground_stream", rows(params.ground_stream)},
           {"fleet", rows(params.fleet)}};
 }
 

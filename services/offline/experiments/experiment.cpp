@@ -71,7 +71,8 @@ std::vector<Condition> fleet_conditions() {
           {"3", {three}},
           {"5", {"vehicles=[{}, {}, {}, {}, {}]"}},
           {"3_radio", {three, "link={loss: 0.3, delay_s: 0.3}"}},
-          {"3_apart", {three, "link={partitions: [{from_s: 15, to_s: 25, groups: [[uav1], [uav2, uav3]]}]}"}},
+          {"3_apart",
+           {three, "link={partitions: [{from_s: 15, to_s: 25, groups: [[uav1], [uav2, uav3]]}]}"}},
           {"3_dies", befalls("dies")},
           {"3_joins", befalls("joins")},
           {"3_blind", befalls("blind")}};

@@ -106,10 +106,10 @@ std::string fleets_csv_of(const std::vector<FlightJob>& jobs,
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!records[i].fleet) continue;
     const FleetMetrics& m = *records[i].fleet;
-    text += fmt::format("{},{},{},{:.4f},{:.4f},{:.2f},{:.3f},{},\"{}\"\n",
-                        jobs[i].cell.experiment, jobs[i].cell.method, to_string(jobs[i].cell.map),
-                        m.union_visibility, m.k2_visibility, m.longest_unseen_s, m.min_separation_m,
-                        m.contacts, jobs[i].command);
+    text += fmt::format("{},{},{},{:.4f},{:.4f},{:.2f},{:.3f},{},\"{}\"\n", jobs[i].cell.experiment,
+                        jobs[i].cell.method, to_string(jobs[i].cell.map), m.union_visibility,
+                        m.k2_visibility, m.longest_unseen_s, m.min_separation_m, m.contacts,
+                        jobs[i].command);
   }
   return text;
 }

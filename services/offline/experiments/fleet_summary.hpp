@@ -20,7 +20,7 @@ struct FleetCell {
   int events = 0, events_seen = 0;  // turns; unseen by all for no longer than kUnseen_s
   Interval95 events_95;
   double longest_unseen_s = 0.0;
-  double min_separation_m = 0.0;  // infinite: nobody was beside another
+  double min_separation_m = 0.0;                     // infinite: nobody was beside another
   double below_separation_s = 0.0, stacked_s = 0.0;  // of all flights
   int contacts = 0, wall_contacts = 0, person_contacts = 0;
   double mutual_occlusion = 0.0, separation_score = 0.0, bytes_per_s = 0.0;  // means

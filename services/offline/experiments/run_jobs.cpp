@@ -109,10 +109,9 @@ RunRecord run_job(const FlightJob& job, const LogSink& sink) {
   const Scenario scenario = load_scenario(job.world, job.overrides);
   if (!scenario.vehicles.empty()) return run_fleet(job, scenario, params, sink);
   PathRecord paths;
-  const FlightResult flight =
-      fly(scenario, params, {}, [&](const TrackerOutput& out) {
-        if (out.planned) paths.add(out.target, out.prediction->prediction);
-      });
+  const FlightResult flight = fly(scenario, params, {}, [&](const TrackerOutput& out) {
+    if (out.planned) paths.add(out.target, out.prediction->prediction);
+  });
   const std::string log = csv_of(flight.rows);
   RunRecord record = record_of(flight, log, paths, job.event, metric_params_of(params));
   if (sink) sink(job, record, log);

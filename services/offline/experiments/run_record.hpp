@@ -63,7 +63,7 @@ struct RunRecord {
   std::optional<Encounter> staged;
   std::vector<EncounterRecord> encounters;  // where one was staged
   std::vector<HidingRecord> hidings;        // the same
-  std::optional<FleetMetrics> fleet;        // where the scenario has vehicles; the rest is the first's
+  std::optional<FleetMetrics> fleet;  // where the scenario has vehicles; the rest is the first's
   double longest_hover_s = 0.0;
 
   bool failed() const;

@@ -12,9 +12,9 @@ using Rows = std::span<const FleetRow>;
 constexpr double kBefore_s = 1.0, kAfter_s = 4.0;
 
 double step_of(Rows rows) {
-  return rows.size() < 2 ? 0.0
-                         : (rows.back().now_s - rows.front().now_s) /
-                               static_cast<double>(rows.size() - 1);
+  return rows.size() < 2
+             ? 0.0
+             : (rows.back().now_s - rows.front().now_s) / static_cast<double>(rows.size() - 1);
 }
 
 int seeing(const FleetRow& row) {
@@ -103,8 +103,7 @@ void measure_spread(Rows rows, FleetMetrics& m) {
 
 int near_of(const FleetRow& row) {
   for (std::size_t i = 0; i < row.members.size(); ++i)
-    if (row.members[i].there && row.members[i].is_near)
-      return static_cast<int>(i);
+    if (row.members[i].there && row.members[i].is_near) return static_cast<int>(i);
   return -1;
 }
 
@@ -144,10 +143,9 @@ FleetMetrics fleet_metrics_of(Rows rows, std::span<const TruthEvent> events,
   }
   m.bytes_per_s = there_s > 0.0 ? bytes / there_s : 0.0;
   for (const TruthEvent& event : events)
-    m.events.push_back({event.begin_s,
-                        longest_unseen_s(between(rows, event.begin_s - kBefore_s,
-                                                 event.begin_s + kAfter_s),
-                                         step_s)});
+    m.events.push_back({event.begin_s, longest_unseen_s(between(rows, event.begin_s - kBefore_s,
+                                                                event.begin_s + kAfter_s),
+                                                        step_s)});
   return m;
 }
 

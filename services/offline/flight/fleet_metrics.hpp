@@ -14,7 +14,7 @@ namespace foretrack {
 struct FleetRowMember {
   bool there = true;  // has joined, and not died
   Vec3 position_enu_m = Vec3::Zero();
-  bool sees = false;       // the person, truly: in view and not hidden
+  bool sees = false;        // the person, truly: in view and not hidden
   bool peer_hides = false;  // another vehicle is what hides the person from it
   double distance_m = 0.0;  // to the person, horizontally
   int seat = -1;            // that it holds
@@ -37,19 +37,20 @@ struct FleetEvent {
 
 struct FleetMetrics {
   int vehicles = 0;
-  double union_visibility = 0.0;   // share of the time in which somebody sees the person
-  double k2_visibility = 0.0;      // the same of two or more
-  double longest_unseen_s = 0.0;   // by all at once
-  double band_share = 0.0;         // of the time in which one of them is in the band
-  double mutual_occlusion = 0.0;   // share of vehicles' time with a vehicle in the line of sight
-  double min_separation_m = 0.0;   // hull to hull; infinite with one
-  double below_separation_s = 0.0; // nearer than what is promised
-  int contacts = 0;                // of two vehicles
+  double union_visibility = 0.0;    // share of the time in which somebody sees the person
+  double k2_visibility = 0.0;       // the same of two or more
+  double longest_unseen_s = 0.0;    // by all at once
+  double band_share = 0.0;          // of the time in which one of them is in the band
+  double mutual_occlusion = 0.0;    // share of vehicles' time with a vehicle in the line of sight
+  double min_separation_m = 0.0;    // hull to hull; infinite with one
+  double below_separation_s = 0.0;  // nearer than what is promised
+  int contacts = 0;                 // of two vehicles
   int wall_contacts = 0, person_contacts = 0;  // of all vehicles
-  double stacked_s = 0.0;          // one below another one, within 2 m
-  double separation_score = 0.0;   // mean least angle between two, as seen from the person, of an even one
-  int handovers = 0;               // of the place in the band
-  double bytes_per_s = 0.0;        // told by each vehicle, without headers of the network
+  double stacked_s = 0.0;                      // one below another one, within 2 m
+  double separation_score =
+      0.0;            // mean least angle between two, as seen from the person, of an even one
+  int handovers = 0;  // of the place in the band
+  double bytes_per_s = 0.0;  // told by each vehicle, without headers of the network
   std::vector<FleetEvent> events;
 };
 

@@ -41,7 +41,9 @@ double bytes_of(const FleetMember& m) {
 class FlyingFleet {
  public:
   FlyingFleet(const Scenario& scenario, const TrackerParams& params, const FlightOptions& options)
-      : scenario_(scenario), params_(params), options_(options),
+      : scenario_(scenario),
+        params_(params),
+        options_(options),
         random_(seed_of(scenario, kLinkPart)) {
     const World world = world_of(scenario);
     const Person person =
@@ -105,10 +107,9 @@ class FlyingFleet {
     const double lands_s = failure_s(scenario_, f.name, FleetFailureKind::kLands);
     const bool lands = now_s_ >= lands_s && now_s_ < lands_s + options_.step_s;
     const MissionCommand land{.id = 2, .stamp_s = now_s_, .order = MissionOrder::kLand};
-    const TrackerOutput out =
-        f.tracker.fly({f.simulator.output, known_.empty() ? nullptr : &known_, f.command, row,
-                       f.result.plan_ms},
-                      &link, lands ? &land : nullptr);
+    const TrackerOutput out = f.tracker.fly(
+        {f.simulator.output, known_.empty() ? nullptr : &known_, f.command, row, f.result.plan_ms},
+        &link, lands ? &land : nullptr);
     if (out.fleet) tell(f, *out.fleet);
   }
 

@@ -9,8 +9,9 @@ namespace foretrack {
 
 struct FleetFlight {
   std::vector<std::string> names;
-  std::vector<FlightResult> vehicles;  // in the order of scenario.vehicles, with rows at equal times
-  std::vector<FleetRow> rows;          // one for each step
+  std::vector<FlightResult>
+      vehicles;                // in the order of scenario.vehicles, with rows at equal times
+  std::vector<FleetRow> rows;  // one for each step
   FleetMetrics metrics;
 };
 

@@ -19,8 +19,8 @@ class TrackerPilot {
   /// what of it is missing, and how to get it.
   TrackerPilot(const Scenario& scenario, const TrackerParams& params);
 
-  /// One step: decides, commands, and writes its part of the row. The output is valid until the next
-  /// step. fleet: null, it flies alone. order: comes before the operator's; null: none.
+  /// One step: decides, commands, and writes its part of the row. The output is valid until the
+  /// next step. fleet: null, it flies alone. order: comes before the operator's; null: none.
   TrackerOutput fly(PilotStep step, const FleetLink* fleet = nullptr,
                     const MissionCommand* order = nullptr);
 

@@ -15,5 +15,4 @@ std::string json_of(const FleetFlight& flight);
 void write_fleet_flight(const FleetFlight& flight, const MetricParams& params,
                         const std::filesystem::path& folder);
 
-
 }  // namespace foretrack

@@ -23,7 +23,9 @@ FrameAlignment after(double duration_s, double sigma_m, double speed_m_s = 1.5) 
   for (double t = 0.0; t < duration_s; t += 0.1) {
     const double way = speed_m_s * t, leg = std::fmod(way, 20.0);
     const Vec3 ours = leg < 10.0 ? Vec3(leg, 0.0, 1.0) : Vec3(10.0, leg - 10.0, 1.0);
-    const auto noise = [&] { return Vec3(random.normal(0, sigma_m), random.normal(0, sigma_m), 0); };
+    const auto noise = [&] {
+      return Vec3(random.normal(0, sigma_m), random.normal(0, sigma_m), 0);
+    };
     add_pair(sums, t, theirs_of(ours) + noise(), ours + noise(), params);
   }
   return align_frame(sums);
@@ -46,8 +48,8 @@ TEST(AlignFrame, IsNotSureAtFirstNorWhileThePersonStands) {
 TEST(AlignFrame, IsNotSureOfTwoWhoFollowTwoPeople) {
   AlignmentSums sums;
   for (double t = 0.0; t < 15.0; t += 0.1)
-    add_pair(sums, t, Vec3(1.5 * t, 0.0, 1.0), Vec3(8.0 * std::sin(t), 8.0 * std::cos(2.0 * t), 1.0),
-             {});
+    add_pair(sums, t, Vec3(1.5 * t, 0.0, 1.0),
+             Vec3(8.0 * std::sin(t), 8.0 * std::cos(2.0 * t), 1.0), {});
   EXPECT_FALSE(align_frame(sums).is_sure({}));
 }
 
@@ -69,7 +71,8 @@ TEST(AlignFrame, SigmasHoldWhatTheErrorsAre) {
 }
 
 TEST(InOurFrame, EverythingIsWhereItWouldBeIfItHadBeenToldInOurs) {
-  FrameAlignment a{.yaw_rad = 0.5 * kPi, .shift_m = {1, 2, 0}, .yaw_sigma_rad = 0, .position_sigma_m = 0};
+  FrameAlignment a{
+      .yaw_rad = 0.5 * kPi, .shift_m = {1, 2, 0}, .yaw_sigma_rad = 0, .position_sigma_m = 0};
   FleetMember m;
   m.position_enu_m = {1, 0, 1};
   m.velocity_enu_m_s = {1, 0, 0};

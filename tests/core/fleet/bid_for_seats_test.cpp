@@ -15,9 +15,8 @@ GridMap map_with(const std::function<bool(const Vec3&)>& occupied) {
   for (int z = 0; z < 20; ++z)
     for (int y = 0; y < 200; ++y)
       for (int x = 0; x < 200; ++x)
-        map.cells[map.offset_of({x, y, z})] =
-            static_cast<std::uint8_t>(occupied(map.center_of({x, y, z})) ? Cell::kOccupied
-                                                                          : Cell::kFree);
+        map.cells[map.offset_of({x, y, z})] = static_cast<std::uint8_t>(
+            occupied(map.center_of({x, y, z})) ? Cell::kOccupied : Cell::kFree);
   DistanceWorkspace workspace;
   update_distances(map, workspace);
   return map;
@@ -46,8 +45,8 @@ TEST(BidForSeats, InTheOpenEverySeatSees) {
 // A street along x, 2 m wide: places behind and before the person only, and no way past them.
 TEST(BidForSeats, InAStreetTheWayIsNotPastThePerson) {
   const GridMap map = map_with([](const Vec3& p) { return std::abs(p.y()) > 1.0; });
-  const auto bids = bid_for_seats(
-      {.own_enu_m = {-2, 0, 1.5}, .person_enu_m = {0, 0, 1}, .map = &map}, {});
+  const auto bids =
+      bid_for_seats({.own_enu_m = {-2, 0, 1.5}, .person_enu_m = {0, 0, 1}, .map = &map}, {});
   EXPECT_TRUE(bids[Seat::of(kWest, SeatRing::kNear).number].possible());
   EXPECT_TRUE(bids[Seat::of(kWest, SeatRing::kFar).number].possible());
   EXPECT_FALSE(bids[Seat::of(kNorth, SeatRing::kNear).number].possible());
@@ -57,8 +56,7 @@ TEST(BidForSeats, InAStreetTheWayIsNotPastThePerson) {
 // A wall behind a corner: whoever is in the south sees a person who goes north, and not one who
 // goes east round the corner.
 TEST(BidForSeats, SeesByIntention) {
-  const GridMap map =
-      map_with([](const Vec3& p) { return p.y() < -0.6 && p.x() > 0.6; });
+  const GridMap map = map_with([](const Vec3& p) { return p.y() < -0.6 && p.x() > 0.6; });
   Prediction prediction;
   prediction.paths = {straight(0, 0.5, {0, 1.5, 0}), straight(1, 0.5, {1.5, 0, 0}),
                       straight(2, 0.01, {-1.5, 0, 0})};

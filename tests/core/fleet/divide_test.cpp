@@ -23,7 +23,8 @@ FleetMember member(const std::string& name, double x_m) {
   return m;
 }
 
-void can(FleetMember& m, int sector, SeatRing ring, double way_s, const std::array<float, 3>& sees) {
+void can(FleetMember& m, int sector, SeatRing ring, double way_s,
+         const std::array<float, 3>& sees) {
   SeatBid& bid = m.bids[Seat::of(sector, ring).number];
   bid.way_s = static_cast<float>(way_s);
   std::copy(sees.begin(), sees.end(), bid.sees.begin());

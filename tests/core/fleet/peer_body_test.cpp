@@ -17,7 +17,9 @@ FleetMember hovering_at(const Vec3& place, double stamp_s = 10.0) {
 constexpr double kHull_m = 0.25, kGap_m = 0.5;
 
 // As near as the planner may come to the body's centre.
-double nearest_m(const MovingBody& body) { return body.radius_m + kGap_m + kHull_m; }
+double nearest_m(const MovingBody& body) {
+  return body.radius_m + kGap_m + kHull_m;
+}
 
 TEST(PeerBody, WhoKeepsItsGapFromItKeepsTheSeparation) {
   const FleetParams params;
