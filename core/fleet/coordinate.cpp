@@ -196,13 +196,16 @@ void keep_clear(const FleetState& state, const FleetInput& in, const FleetMember
   for (const FleetPeer& peer : state.all()) {
     const double sigma_m = peer.alignment.position_sigma_m;
     if (peer.trust == FleetTrust::kUnaligned && sigma_m > params.growth_max_m) continue;
-    out.peers.add(peer_body(peer.ours,
-                            {.now_s = in.now_s,
-                             .own_enu_m = in.state.position_enu_m,
-                             .gap_min_m = in.gap_min_m,
-                             .gives_way = gives_way(own, peer.ours),
-                             .frame_sigma_m = sigma_m},
-                            params));
+    const PeerView view{.now_s = in.now_s,
+                        .own_enu_m = in.state.position_enu_m,
+                        .gap_min_m = in.gap_min_m,
+                        .gives_way = gives_way(own, peer.ours),
+                        .frame_sigma_m = sigma_m,
+                        .person = &out.target};
+    MovingBody follows;
+    out.peers.add(peer_body(peer.ours, view, params));
+    if (out.target.usable() && following_body(peer.ours, view, params, follows))
+      out.peers.add(follows);
     const double apart_m = (peer.ours.position_enu_m - own.position_enu_m).norm();
     out.separation_m = std::min(out.separation_m, apart_m - own.radius_m - peer.ours.radius_m);
   }

@@ -149,11 +149,20 @@ class FlyingFleet {
             .is_near = f.is_near};
   }
 
+  // What it does before it joins and after it died is nobody's flight.
+  void keep_rows_there(Flyer& f) const {
+    const double from_s = failure_s(scenario_, f.name, FleetFailureKind::kJoins);
+    const double to_s = failure_s(scenario_, f.name, FleetFailureKind::kDies);
+    std::erase_if(f.result.rows,
+                  [&](const FlightRow& row) { return row.now_s < from_s || row.now_s >= to_s; });
+  }
+
   FleetFlight finish() {
     FleetFlight out;
     const MetricParams metrics = metric_params_of(params_);
     std::vector<TruthEvent> events;
     for (Flyer& f : flyers_) {
+      keep_rows_there(f);
       f.result.metrics = metrics_of(f.result.rows, metrics);
       f.result.metrics.plan_ms = quantiles_of(f.result.plan_ms);
       if (out.names.empty())

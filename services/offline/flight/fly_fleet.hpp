@@ -16,8 +16,7 @@ struct FleetFlight {
 };
 
 /// Flies all of scenario.vehicles with the tracker. The same scenario and parameters give the same
-/// rows. A vehicle that is not there (before it joins, after it died) has rows with its last state,
-/// and counts for nothing. Throws std::invalid_argument for a scenario that cannot be.
+/// rows. Throws std::invalid_argument for a scenario that cannot be.
 FleetFlight fly_fleet(const Scenario& scenario, const TrackerParams& params,
                       const FlightOptions& options = {});
 

@@ -68,11 +68,37 @@ TEST(PeerBody, ASilentOneGrowsButNeverOverThisVehicle) {
                      params)
         .radius_m;
   };
-  EXPECT_EQ(at(0.0, 20.0), at(params.silent_s, 20.0));
-  EXPECT_NEAR(at(params.silent_s + 1.0, 20.0), at(0.0, 20.0) + params.growth_m_s, 1e-9);
-  EXPECT_NEAR(at(1e3, 20.0), at(0.0, 20.0) + params.growth_max_m, 1e-9);
+  EXPECT_NEAR(at(0.3, 20.0), at(0.0, 20.0) + 0.5 * params.replan_m_s2 * 0.09, 1e-9);
+  EXPECT_NEAR(at(params.silent_s, 20.0), at(0.0, 20.0) + params.replan_max_m, 1e-9);
+  EXPECT_NEAR(at(params.silent_s + 0.5, 20.0), at(params.silent_s, 20.0) + 0.5 * params.growth_m_s,
+              1e-9);
+  EXPECT_NEAR(at(1e3, 20.0), at(params.silent_s, 20.0) + params.growth_max_m, 1e-9);
   EXPECT_LT(at(1e3, 2.5) + kGap_m + kHull_m, 2.5);
   EXPECT_EQ(at(1e3, 0.5), at(0.0, 0.5)) << "never less than what is kept anyway";
+}
+
+TEST(FollowingBody, ASilentOneMayFollowOn) {
+  FleetMember peer = hovering_at({-2, 0, 1.5});
+  peer.flies = true;
+  peer.follows = 1;
+  peer.person_count = 1;
+  peer.persons[0].id = 1;
+  peer.persons[0].position_enu_m = {0, 0, 1};
+  TargetState person;
+  person.stamp_s = 13.0;
+  person.position_enu_m = {5, 3, 1};
+  person.velocity_enu_m_s = {0, 1, 0};
+  const FleetParams params;
+  MovingBody body;
+  PeerView view{.now_s = 10.5, .own_enu_m = {20, 0, 1.5}, .person = &person};
+  EXPECT_FALSE(following_body(peer, view, params, body)) << "it is heard";
+  view.now_s = 13.0;
+  ASSERT_TRUE(following_body(peer, view, params, body));
+  EXPECT_TRUE(body.position_enu_m.head<2>().isApprox(Vec2(3, 3)));
+  EXPECT_TRUE(body.expected_at(14.0).head<2>().isApprox(Vec2(3, 4)));
+  EXPECT_NE(body.id, peer_body(peer, view, params).id);
+  peer.flies = false;
+  EXPECT_FALSE(following_body(peer, view, params, body)) << "it has landed";
 }
 
 }  // namespace
