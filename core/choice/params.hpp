@@ -17,7 +17,7 @@ struct ChoiceParams {
   int unanswered = 0;    ///< then: 0 on with the likeliest, 1 hold
   double alike = 0.3;    ///< clothes that differ more are somebody else's
   /// of two people, clothes whose differences from what is remembered are nearer are alike
-  double tell_apart = 0.1;
+  double tell_apart = 0.2;
   double meet_m = 1.0;  ///< people this near, or in line as seen from the vehicle, may be mixed up
   double settle_s = 0.7;     ///< after they have parted, they are compared for so long
   int doubtful_looks = 3;    ///< images that leave a doubt who is who, for it to count

@@ -15,8 +15,8 @@ constexpr double kClearly = 9.0;          // so much more unlike the other one, 
 constexpr double kSurprising = 3.5;       // standard deviations in one image: it is said
 constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
 constexpr std::size_t kMostCompared = 4;  // the same, where nobody knows where the person is
-constexpr double kSurely = 0.2;      // where nobody knows where the person is, it is surely them
-constexpr double kTellApart = 0.12;  // by so much another one's clothes must differ more
+constexpr double kSurely = 0.2;     // where nobody knows where the person is, it is surely them
+constexpr double kTellApart = 0.2;  // by so much another one's clothes must differ more
 
 // Where the chosen person may be; none: anybody may be chosen.
 std::optional<ExpectedPlace> place_of_chosen(const PersonMemory& chosen, double stamp_s,
