@@ -68,6 +68,8 @@ test("the scene is drawn beside the page, and turned by the mouse", async () => 
     assert.ok(Date.now() < end, `${before} → ${await yaw()}, ${turned} expected`);
     await seen.waitForTimeout(100);
   }
+  await seen.locator(".scene .label.body").first().dispatchEvent("click");
+  await expectText(seen, ".scene .tapmenu", /person [12] · \d\.\d m/);
   assert.deepEqual(seen.problems, []);
   await drawing.close();
 });
