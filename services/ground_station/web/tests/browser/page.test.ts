@@ -239,6 +239,20 @@ test("a recording of the station is read in parts", async () => {
   assert.equal(await page.locator(".readout .stale").count(), 0);
 });
 
+test("a recording that the station serves is no older than it is played", async () => {
+  const serving = await startStandIn({ vehicles: 1, behind_s: 300 });
+  try {
+    const seen = await open(browser, serving.url);
+    await expectText(seen, card("uav1", "link"), /^0\.\d s$/);
+    await expectText(seen, card("uav1", "health"), /5 services well/);
+    await expectText(seen, '[data-field="picture-age"]', /^\d+ ms$/);
+    assert.equal(await seen.locator("[data-alarm]").count(), 0);
+    await seen.context().close();
+  } finally {
+    serving.close();
+  }
+});
+
 test("what is not a recording is refused with a reason", async () => {
   await tab("Recordings");
   await page.setInputFiles('[aria-label="open a recording"]',
