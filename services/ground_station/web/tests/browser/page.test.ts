@@ -18,7 +18,7 @@ before(async () => {
 });
 after(() => browser.close());
 beforeEach(async () => {
-  station = await startStandIn({ vehicles: 2 });
+  station = await startStandIn({ vehicles: 2, blind: true }); // pictures: picture.test.ts
   page = await open(browser, station.url, { name: "ada" });
   await page.waitForSelector('[data-vehicle="uav2"]');
 });
@@ -243,6 +243,7 @@ test("a recording that the station serves is no older than it is played", async 
   const serving = await startStandIn({ vehicles: 1, behind_s: 300 });
   try {
     const seen = await open(browser, serving.url);
+    await seen.waitForSelector('[data-vehicle="uav1"]');
     await expectText(seen, card("uav1", "link"), /^0\.\d s$/);
     await expectText(seen, card("uav1", "health"), /5 services well/);
     await expectText(seen, '[data-field="picture-age"]', /^\d+ ms$/);
