@@ -12,8 +12,9 @@ export interface StandIn {
   chosen: Map<string, { state: number; person_id: number }>;
   blind: Set<string>; // vehicles that send no pictures
   painted: number;
+  behind_s: number; // by which samples are older than now
   recordings: Map<string, Uint8Array>;
   close(): void;
 }
 export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string;
-  blind?: boolean }): Promise<StandIn>;
+  blind?: boolean; behind_s?: number }): Promise<StandIn>;

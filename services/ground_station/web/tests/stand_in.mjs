@@ -32,9 +32,12 @@ class StandIn {
   bodies = []; // of orders that say more than their name
   chosen = new Map(); // what perception says of who is followed, by vehicle
   painted = 0; // pictures
+  behind_s = 0; // by which samples are older than now, as those of a recording
   recordings = new Map(); // bytes by file name
 
-  constructor({ port = 0, vehicles = 1, dist = "dist", blind = false } = {}) {
+  constructor({ port = 0, vehicles = 1, dist = "dist", blind = false,
+    behind_s = 0 } = {}) {
+    this.behind_s = behind_s;
     this.dist = dist;
     this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
     this.blind = new Set(blind ? this.names : []);
@@ -99,7 +102,8 @@ class StandIn {
       const frame = Buffer.alloc(13 + bytes.byteLength);
       frame.writeUInt8(1, 0);
       frame.writeUInt32LE(id, 1);
-      frame.writeBigUInt64LE(BigInt(Date.now()) * 1000000n, 5);
+      const behind_ms = type === null ? 0 : 1000 * this.behind_s;
+      frame.writeBigUInt64LE(BigInt(Date.now() - behind_ms) * 1000000n, 5);
       frame.set(bytes, 13);
       socket.send(frame);
     }

@@ -5,10 +5,11 @@ import { type Channel as Announced, FoxgloveClient, type IWebSocket, type Messag
 
 import { SampleQueue } from "./queue.ts";
 import type { Channel, RawSample } from "./sample.ts";
-import { isOnDemand, readingOf } from "./topics.ts";
+import { isOnDemand, readingOf, statusTopic } from "./topics.ts";
 
 const protocols = ["foxglove.websocket.v1", "foxglove.sdk.v1"];
 const retry_ms = 1000;
+const jump_s = 5;
 const deaf_s = 6; // the station speaks twice a second; so long without a word: it hangs
 
 export interface LiveEvents {
@@ -28,7 +29,7 @@ export class LiveLink {
   private readonly timer: ReturnType<typeof setInterval>;
   /** Station's clock minus ours, by the quickest sample of late. */
   private ahead_s = 0;
-  private aheadSince_ms = 0;
+  private aheadSince_ms = -Infinity;
 
   constructor(private readonly url: () => string, private readonly events: LiveEvents) {
     this.connect();
@@ -137,16 +138,18 @@ export class LiveLink {
     this.quietTicks = 0;
     if (!of) return;
     const time_s = Number(message.timestamp / 1000n) / 1e6;
-    this.setClock(time_s);
+    if (of.channel.topic !== statusTopic) this.setClock(time_s);
     const view = message.data;
     const data = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
     this.queue.push({ channel: of.channel, time_s, bytes: data.byteLength, data });
   }
 
+  // A station that serves a recording passes on its log times, and speaks of itself as of now.
   private setClock(time_s: number): void {
     const ahead_s = time_s - Date.now() / 1000;
     const old = performance.now() - this.aheadSince_ms > 10000;
-    if (ahead_s <= this.ahead_s && !old) return;
+    const jumped = ahead_s < this.ahead_s - jump_s; // it begins again, or a last value is old
+    if (ahead_s <= this.ahead_s && !old && !jumped) return;
     this.ahead_s = ahead_s;
     this.aheadSince_ms = performance.now();
   }

@@ -32,6 +32,9 @@ const readings: Record<string, Reading> = {
 export const lasting = ["map/points", "map/local", "target/observation", "fmu/out/battery_status",
   "camera/color/camera_info", "tf_static"];
 
+/** Of the station itself. */
+export const statusTopic = "/station/status";
+
 /** Read only while somebody looks: it is most of the flow. */
 export const pictureTopic = "camera/ground/image/compressed";
 export function isOnDemand(topic: string): boolean {

@@ -30,11 +30,14 @@ export function toldBy(state: State, vehicle: Vehicle, key: string): number {
   return NaN;
 }
 
-/** The distances that its planner keeps; null: unknown. */
+/** The distances that its planner keeps, about the one that was ordered if one was; null: unknown. */
 export function band_m(state: State, vehicle: Vehicle): [number, number] | null {
-  const band: [number, number] = [toldBy(state, vehicle, "distance_low_m"),
+  const [low, high] = [toldBy(state, vehicle, "distance_low_m"),
     toldBy(state, vehicle, "distance_high_m")];
-  return band.every(Number.isFinite) ? band : null;
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return null;
+  const ordered = vehicle.latest["safety/state"]?.message.framing?.distance_m ?? NaN;
+  const farther = Number.isFinite(ordered) ? ordered - (low + high) / 2 : 0;
+  return [Math.max(low, low + farther), Math.max(high + farther, low)];
 }
 
 /** Bearing of the person off the nose, left positive; null: not known. */

@@ -5,7 +5,7 @@
 import type { DiagnosticArray, ServiceHealth, TransformMessage } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import type { StationStatus } from "../data/station.ts";
-import { ownerOf } from "../data/topics.ts";
+import { lasting, ownerOf } from "../data/topics.ts";
 import { t } from "../ui/words.ts";
 import { acknowledge, note } from "./alarms.ts";
 import { folders } from "./fold_vehicle.ts";
@@ -59,7 +59,7 @@ function foldSample(state: State, sample: Sample): void {
   if (sample.name === "tf_static") return hearMounts(state, sample);
   const vehicle = vehicleOf(state, sample);
   if (!vehicle) return;
-  vehicle.heard_s = Math.max(vehicle.heard_s, sample.time_s);
+  if (!lasting.includes(sample.name)) vehicle.heard_s = sample.time_s; // those may be latched, and old
   if (sample.message === undefined) return;
   folders[sample.name]?.(state, vehicle, sample); // sees the last message beside the new one
   if (sample.name === "health") {
@@ -90,7 +90,6 @@ function vehicleOf(state: State, sample: Sample): Vehicle | undefined {
   let vehicle = state.vehicles.get(sample.vehicle);
   if (!vehicle) {
     vehicle = makeVehicle(sample.vehicle, names.length);
-    vehicle.heard_s = state.now_s; // what is latched may be old, and is no silence
     state.vehicles.set(sample.vehicle, vehicle);
     note(state, sample.vehicle, "info", t("first heard of"), sample.time_s);
   }

@@ -14,7 +14,7 @@ export const silent_s = 3.5; // a service; its health comes once a second
 export function watchTime(state: State): void {
   for (const vehicle of state.vehicles.values()) {
     const quiet_s = state.now_s - vehicle.heard_s;
-    const gone = quiet_s > gone_s;
+    const gone = Number.isFinite(vehicle.heard_s) && quiet_s > gone_s;
     hold(state, vehicle.name, "silent", gone, "alarm",
       t("nothing heard for {seconds} s", { seconds: quiet_s.toFixed(0) }));
     const gate_s = age_s(state, vehicle.latest["safety/state"]);

@@ -18,7 +18,7 @@ before(async () => {
 });
 after(() => browser.close());
 beforeEach(async () => {
-  station = await startStandIn({ vehicles: 2 });
+  station = await startStandIn({ vehicles: 2, blind: true }); // pictures: picture.test.ts
   page = await open(browser, station.url, { name: "ada" });
   await page.waitForSelector('[data-vehicle="uav2"]');
 });
@@ -68,6 +68,8 @@ test("the scene is drawn beside the page, and turned by the mouse", async () => 
     assert.ok(Date.now() < end, `${before} → ${await yaw()}, ${turned} expected`);
     await seen.waitForTimeout(100);
   }
+  await seen.locator(".scene .label.body").first().dispatchEvent("click");
+  await expectText(seen, ".scene .tapmenu", /person [12] · \d\.\d m/);
   assert.deepEqual(seen.problems, []);
   await drawing.close();
 });
@@ -235,6 +237,21 @@ test("a recording of the station is read in parts", async () => {
   await expectText(page, '[data-field="p-left"]', new RegExp(expected.toFixed(2)));
   await expectText(page, '[data-field="person"]', /tracking/);
   assert.equal(await page.locator(".readout .stale").count(), 0);
+});
+
+test("a recording that the station serves is no older than it is played", async () => {
+  const serving = await startStandIn({ vehicles: 1, behind_s: 300 });
+  try {
+    const seen = await open(browser, serving.url);
+    await seen.waitForSelector('[data-vehicle="uav1"]');
+    await expectText(seen, card("uav1", "link"), /^0\.\d s$/);
+    await expectText(seen, card("uav1", "health"), /5 services well/);
+    await expectText(seen, '[data-field="picture-age"]', /^\d+ ms$/);
+    assert.equal(await seen.locator("[data-alarm]").count(), 0);
+    await seen.context().close();
+  } finally {
+    serving.close();
+  }
 });
 
 test("what is not a recording is refused with a reason", async () => {

@@ -214,7 +214,9 @@ test("intentions bear the names and colours of their messages, however many ther
 
 test("a vehicle of which an old map comes first is not silent", () => {
   const state = fold([{ kind: "time", now_s: 100 }, sample("/uav1/map/local", 60, {}),
-    { kind: "time", now_s: 101 }]);
+    { kind: "time", now_s: 100.1 }]);
+  assert.equal(state.alarms.size, 0);
+  fold([sample("/uav1/odometry", 100.2, odometry(0, 0)), { kind: "time", now_s: 101 }], state);
   assert.equal(state.alarms.size, 0);
   fold([{ kind: "time", now_s: 103 }], state);
   assert.ok(state.alarms.has("uav1 silent"));
