@@ -19,8 +19,9 @@ Framing framing_of(const Framing& ordered, const SeatPlace& place, const FleetPa
   return framing;
 }
 
-MovingBodies all_of(const MovingBodies& around, const MovingBodies& peers) {
+MovingBodies all_of(const MovingBodies& around, const MovingBodies& peers, double now_s) {
   MovingBodies all = around;
+  if (now_s - peers.stamp_s > kPeersStale_s) return all;
   for (const MovingBody& peer : peers.all()) all.add(peer);
   return all;
 }

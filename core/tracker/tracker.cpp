@@ -93,7 +93,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   bodies_around(state.bodies, input.now_s, followed, input.vehicle.position_enu_m, params.bodies,
                 state.around, state.looks);
   out.bodies = &state.around;
-  if (input.fleet) state.kept_clear = all_of(state.around, state.coordinated.peers);
+  if (input.fleet) state.kept_clear = all_of(state.around, state.coordinated.peers, input.now_s);
   const MovingBodies* kept_clear = input.fleet ? &state.kept_clear : &state.around;
   const bool doubtful = input.observation && input.observation->doubtful;
   out.choice = choose_person(people,
