@@ -130,6 +130,7 @@ std::function<int()> prepare_simulator(CLI::App& app) {
   app.add_option("--map", o->map, "known or depth")->check(CLI::IsMember({"known", "depth"}));
   app.add_option("--seed", o->overrides.seed, "of everything random");
   add_settings(app, o->overrides);
+  add_vehicles(app, o->overrides);
   app.add_option("--for", o->overrides.duration_s, "seconds to simulate");
   app.add_option("--track", o->overrides.track_file, "walk as this recorded pedestrian");
   app.add_option("--pedestrian", o->overrides.pedestrian, "number of the pedestrian in the track");
