@@ -26,12 +26,6 @@ struct Flyer {
   bool is_near = false;
 };
 
-// What a message weighs on the wire, without headers of the network; as services/convert writes it.
-double bytes_of(const FleetMember& m) {
-  return 164.0 + 92.0 * m.plan.count + 212.0 * m.person_count + 28.0 * m.intention_count +
-         kSeatCount * (8.0 + m.intention_count);
-}
-
 class FlyingFleet {
  public:
   FlyingFleet(const Scenario& scenario, const TrackerParams& params, const FlightOptions& options)
@@ -166,6 +160,11 @@ class FlyingFleet {
 };
 
 }  // namespace
+
+double bytes_of(const FleetMember& m) {
+  return 148.0 + 88.0 * m.plan.count + 192.0 * m.person_count +
+         m.intention_count * (20.0 + kSeatCount);
+}
 
 FleetFlight fly_fleet(const Scenario& scenario, const TrackerParams& params,
                       const FlightOptions& options) {

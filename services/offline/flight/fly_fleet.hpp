@@ -14,6 +14,9 @@ struct FleetFlight {
   FleetMetrics metrics;
 };
 
+/// What a message weighs as DDS writes it, without headers of the network.
+double bytes_of(const FleetMember& member);
+
 /// Flies all of scenario.vehicles with the tracker. The same scenario and parameters give the same
 /// rows. A vehicle that is not there (before it joins, after it died) has rows with its last state,
 /// and counts for nothing. Throws std::invalid_argument for a scenario that cannot be.
