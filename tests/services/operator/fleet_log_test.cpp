@@ -69,6 +69,7 @@ class FleetLogOnDds : public ::testing::Test {
 TEST_F(FleetLogOnDds, PutsVehiclesOfOneTimeIntoARow) {
   double stamp_s = 100.0;
   ASSERT_TRUE(eventually([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
     stamp_s += 0.02;
     tell(one_, stamp_s, {0, 0, 1.5});
     tell(two_, stamp_s, {0, 2, 1.5});
@@ -87,6 +88,7 @@ TEST_F(FleetLogOnDds, PutsVehiclesOfOneTimeIntoARow) {
 TEST_F(FleetLogOnDds, WhoIsSilentIsNotThere) {
   double stamp_s = 100.0;
   ASSERT_TRUE(eventually([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
     stamp_s += 0.02;
     tell(one_, stamp_s, {0, 0, 1.5});
     log_.update();
