@@ -121,8 +121,9 @@ std::function<int()> prepare_demo(CLI::App& app) {
   auto arguments = std::make_shared<DemoArguments>();
   auto& [options, out, domain, no_station, overrides] = *arguments;
   options.spec.scenario.clear();
-  app.add_option("--scenario", options.spec.scenario,
-                 "Shipped scenario or file; default: t_intersection, of several vehicles fleet_blocks");
+  app.add_option(
+      "--scenario", options.spec.scenario,
+      "Shipped scenario or file; default: t_intersection, of several vehicles fleet_blocks");
   add_vehicles(app, overrides);
   app.add_option("--for", overrides.duration_s, "Seconds; default: the scenario's")
       ->check(CLI::PositiveNumber);

@@ -11,8 +11,8 @@
 #include "services/cli/scenario_options.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
-#include "services/offline/flight/write_fleet.hpp"
 #include "services/offline/flight/metrics_json.hpp"
+#include "services/offline/flight/write_fleet.hpp"
 #include "services/offline/flight/write_flight.hpp"
 
 namespace foretrack {
@@ -64,8 +64,7 @@ void name_unfitted() {
 }
 
 int fly_fleet_with(const FlyOptions& o, const Scenario& scenario, const TrackerParams& params) {
-  const FleetFlight flight =
-      fly_fleet(scenario, params, with_progress_line(scenario.duration_s));
+  const FleetFlight flight = fly_fleet(scenario, params, with_progress_line(scenario.duration_s));
   if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r{:40}\r", "");
   if (!o.out.empty()) write_fleet_flight(flight, metric_params_of(params), o.out);
   if (o.json)

@@ -58,8 +58,9 @@ int run_up(UpArguments arguments) {
   Launcher launcher(std::filesystem::path(arguments.out) / "logs");
   for (auto& process : onboard_processes(arguments.spec)) launcher.add(std::move(process));
   launcher.add(simulator_process(arguments.spec));
-  const std::string who = spec.vehicles.empty() ? "vehicle " + spec.vehicle
-                                                : std::to_string(spec.vehicles.size()) + " vehicles";
+  const std::string who = spec.vehicles.empty()
+                              ? "vehicle " + spec.vehicle
+                              : std::to_string(spec.vehicles.size()) + " vehicles";
   std::printf("%s, domain %d, logs in %s/logs; Ctrl-C ends it\n", who.c_str(), spec.domain,
               arguments.out.c_str());
   std::vector<std::unique_ptr<Start>> starts;

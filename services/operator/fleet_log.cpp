@@ -31,9 +31,8 @@ std::vector<std::unique_ptr<HeardVehicle>> hear_all(const NodeOptions& options,
 // The last row until then, if it is not an old one; null: there is none.
 const FlightRow* row_at(const FlightLog& log, double time_s) {
   const double since_s = time_s - log.first_s() + kSame_s;
-  const auto after =
-      std::upper_bound(log.rows().begin(), log.rows().end(), since_s,
-                       [](double t, const FlightRow& row) { return t < row.now_s; });
+  const auto after = std::upper_bound(log.rows().begin(), log.rows().end(), since_s,
+                                      [](double t, const FlightRow& row) { return t < row.now_s; });
   if (after == log.rows().begin()) return nullptr;
   const FlightRow& row = *std::prev(after);
   return since_s - row.now_s < kBehind_s ? &row : nullptr;
@@ -82,8 +81,8 @@ void FleetLog::update() {
         });
   }
   members_.take_each([this](const foretrack_msgs::msg::FleetMember& message) {
-    told_bytes_ += static_cast<double>(
-        to_cdr(type_ops<foretrack_msgs::msg::FleetMember>(), &message).size());
+    told_bytes_ +=
+        static_cast<double>(to_cdr(type_ops<foretrack_msgs::msg::FleetMember>(), &message).size());
   });
   const double newest_s = this->newest_s();
   if (newest_s < 0.0) return;
@@ -95,8 +94,7 @@ void FleetLog::add_row(double time_s) {
   FleetRow row{.now_s = time_s - first_s_, .person_enu_m = Vec3::Zero(), .members = {}};
   for (const auto& vehicle : vehicles_) {
     const FlightRow* one = row_at(*vehicle->log, time_s);
-    row.members.push_back(one ? member_at(*vehicle, time_s, *one)
-                              : FleetRowMember{.there = false});
+    row.members.push_back(one ? member_at(*vehicle, time_s, *one) : FleetRowMember{.there = false});
     if (one) row.person_enu_m = one->target.position_enu_m;
   }
   for (std::size_t i = 0; i < row.members.size(); ++i) {
@@ -128,8 +126,11 @@ FleetFlight FleetLog::flight(const MetricParams& metrics, const FleetParams& par
   const World world = world_of(scenario_);
   std::vector<TruthEvent> events;
   for (const auto& vehicle : vehicles_) {
-    FlightResult one{.scenario = scenario_, .world = world, .rows = vehicle->log->rows(),
-                     .metrics = {}, .plan_ms = {}};
+    FlightResult one{.scenario = scenario_,
+                     .world = world,
+                     .rows = vehicle->log->rows(),
+                     .metrics = {},
+                     .plan_ms = {}};
     if (one.rows.size() > 1) one.metrics = metrics_of(one.rows, metrics);
     const auto plans = vehicle->log->stage_ms().find("plan");
     if (plans != vehicle->log->stage_ms().end()) one.plan_ms = plans->second;

@@ -73,8 +73,9 @@ class Fleet : public ::testing::Test {
     for (const FleetRow& row : log_->rows())
       for (std::size_t i = 0; i < row.members.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-          least_m = std::min(least_m, (row.members[i].position_enu_m -
-                                       row.members[k].position_enu_m).norm() - 0.5);
+          least_m = std::min(
+              least_m,
+              (row.members[i].position_enu_m - row.members[k].position_enu_m).norm() - 0.5);
     return least_m;
   }
 

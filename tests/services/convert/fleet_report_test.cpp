@@ -69,7 +69,10 @@ TEST(FleetDivisionMessage, RoundTrips) {
 
 TEST(FleetDivisionMessage, TellsOfWhoIsAloneWithoutAnInfiniteSeparation) {
   DivisionMsg out;
-  to_idl(FleetReport{.stamp_s = 1.0, .vehicle = "uav1", .place = {}, .division = {},
+  to_idl(FleetReport{.stamp_s = 1.0,
+                     .vehicle = "uav1",
+                     .place = {},
+                     .division = {},
                      .separation_m = std::numeric_limits<double>::infinity()},
          out);
   const auto in = from_idl(out);

@@ -26,8 +26,8 @@ TEST(BytesOf, AreThoseOfTheMessageOnTheWire) {
   for (const FleetMember& m : {member(0, 0, 0), member(6, 1, 5), member(16, 4, 5)}) {
     foretrack_msgs::msg::FleetMember message;
     to_idl(m, message);
-    const auto on_wire = static_cast<double>(
-        to_cdr(type_ops<foretrack_msgs::msg::FleetMember>(), &message).size());
+    const auto on_wire =
+        static_cast<double>(to_cdr(type_ops<foretrack_msgs::msg::FleetMember>(), &message).size());
     EXPECT_NEAR(bytes_of(m), on_wire, 0.05 * on_wire);
   }
 }

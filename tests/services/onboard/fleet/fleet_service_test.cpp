@@ -124,15 +124,18 @@ TEST_F(FleetOnDds, TwoDivideTheSeatsAndKeepClearOfEachOther) {
 
 TEST_F(FleetOnDds, WhoDoesNotSeeThePersonIsToldWhereTheOthersDo) {
   sees_ = false;
-  ASSERT_TRUE(neighbours_.until([&] { return listen(), fused_.has_value(); },
-                                [&] { feed_with("uav2"); }));
+  ASSERT_TRUE(
+      neighbours_.until([&] { return listen(), fused_.has_value(); }, [&] { feed_with("uav2"); }));
   EXPECT_EQ(fused_->status, TrackStatus::kTracking);
   EXPECT_LT((fused_->position_enu_m - Vec3(2.0, 0.0, 1.0)).norm(), 0.1);
 }
 
 TEST_F(FleetOnDds, AnotherVehicleWithItsNameIsAnAlarmAndNoPeer) {
   ASSERT_TRUE(neighbours_.until(
-      [&] { return neighbours_.refused("rt/fleet/member", "of another vehicle with this one's name") > 0; },
+      [&] {
+        return neighbours_.refused("rt/fleet/member", "of another vehicle with this one's name") >
+               0;
+      },
       [&] { feed_with("uav1"); }));
   listen();
   EXPECT_FALSE(division_) << "nobody else was heard";

@@ -3,7 +3,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import type { FleetDivision } from "../../src/data/messages.ts";
 import { partsOf } from "../../src/data/topics.ts";
+import { sketch } from "../../src/scene/sketch.ts";
 import { fold, sample } from "./make.ts";
 
 const peer = (vehicle: string, more: object = {}) =>
@@ -32,4 +34,13 @@ test("a vehicle that sees the person elsewhere is an alarm until it agrees", () 
 
 test("what all vehicles tell is of no vehicle", () => {
   assert.deepEqual(partsOf("/fleet/member"), { vehicle: "", name: "fleet/member" });
+});
+
+test("seats are drawn towards where they are, and only those that are held", () => {
+  const seat = (vehicle: string, number: number, is_near: boolean) => ({ vehicle, seat: number, is_near, sees: [] });
+  const message = { ...division([]), seats: [seat("uav1", 3, true), seat("uav2", 18, false), seat("uav3", -1, false)] };
+  const { message: seats } = sketch("fleet/division", { time_s: 1, message: message as FleetDivision }, true);
+  assert.deepEqual(seats.map((s) => [s.vehicle, s.near]), [["uav1", true], ["uav2", false]]);
+  assert.ok(Math.abs(seats[0]!.bearing_rad - Math.PI / 2) < 1e-9);
+  assert.ok(Math.abs(seats[1]!.bearing_rad - Math.PI) < 1e-9);
 });
