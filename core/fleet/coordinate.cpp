@@ -61,7 +61,7 @@ FleetMember message_of(FleetState& state, const FleetInput& in) {
   if (in.intention) {
     out.intention_count = in.intention->count;
     for (int i = 0; i < out.intention_count; ++i)
-      out.intentions[i] = in.intention->beliefs[i].probability;
+      out.intentions[i] = static_cast<float>(in.intention->beliefs[i].probability);
   }
   out.seat = state.seat;
   out.is_near = state.is_near;
@@ -230,6 +230,7 @@ FleetResult coordinate(FleetState& state, const FleetInput& in, const FleetParam
                                       .prediction = in.prediction,
                                       .map = in.map},
                                      params);
+  for (SeatBid& bid : out.message.bids) bid = as_told(bid);
   std::array<FleetMember, kFleetCapacity> members;
   const int count = gather(state, out.message, out.target, params, members);
   out.division = divide({members.data(), static_cast<std::size_t>(count)}, params);

@@ -52,4 +52,13 @@ struct FleetFailure {
   FleetFailureKind kind = FleetFailureKind::kDies;
 };
 
+/// As PX4's own simulation calls its n-th vehicle (from 0): px4_1, px4_2, …
+inline std::string px4_namespace_of(std::size_t vehicle) {
+  return "px4_" + std::to_string(vehicle + 1);
+}
+/// And numbers it: PX4's instance n is system n + 1.
+constexpr int px4_system_of(std::size_t vehicle) {
+  return static_cast<int>(vehicle) + 2;
+}
+
 }  // namespace foretrack

@@ -4,63 +4,35 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/fleet/use_fleet.hpp"
 #include "core/tracker/follow_people.hpp"
 
 namespace foretrack {
 namespace {
-
-constexpr double kFleet_s = 0.1;       // between two messages
-constexpr double kFleetStale_s = 0.5;  // what the others see is used for so long
-
-// Bodies of others and peers: all that planner and gate keep clear of.
-MovingBodies all_of(const MovingBodies& around, const MovingBodies& peers) {
-  MovingBodies all = around;
-  for (const MovingBody& peer : peers.all()) all.add(peer);
-  return all;
-}
 
 void take_part(TrackerState& state, const TrackerInput& input, const TrackerParams& params,
                TrackerOutput& out) {
   for (const FleetMember& message : input.fleet->heard)
     hear(state.fleet, message, input.now_s, params.fleet);
   if (input.now_s < state.next_fleet_s) return;
-  state.next_fleet_s = input.now_s + kFleet_s - 1e-6;
-  state.coordinated = coordinate(state.fleet,
-                                 {.now_s = input.now_s,
-                                  .vehicle = input.fleet->vehicle,
-                                  .frame = input.fleet->frame,
-                                  .state = input.vehicle,
-                                  .radius_m = params.planning.body.hull_radius_m,
-                                  .battery = input.fleet->battery,
-                                  .flies = is_active(state.gate.mission.phase),
-                                  .gap_min_m = params.planning.body.gap_min_m,
-                                  .target = out.target,
-                                  .prediction = &state.prediction.result.prediction,
-                                  .intention = &state.prediction.result.intention,
-                                  .plan = &state.planning.flown_result().trajectory,
-                                  .map = out.map},
-                                 params.fleet);
+  state.next_fleet_s = input.now_s + kFleetPeriod_s - 1e-6;
+  state.coordinated =
+      coordinate(state.fleet,
+                 {.now_s = input.now_s,
+                  .vehicle = input.fleet->vehicle,
+                  .frame = input.fleet->frame,
+                  .state = input.vehicle,
+                  .radius_m = params.planning.body.hull_radius_m,
+                  .battery = input.fleet->battery,
+                  .flies = is_active(state.gate.mission.phase),
+                  .gap_min_m = params.planning.body.gap_min_m,
+                  .target = out.target,
+                  .prediction = &state.prediction.result.prediction,
+                  .intention = &state.prediction.result.intention,
+                  .plan = &state.planning.flown_result().trajectory,
+                  .map = out.map},
+                 params.fleet);
   out.fleet = &state.coordinated;
-}
-
-// Who does not see the person goes by what the others see.
-void see_by_others(const TrackerState& state, double now_s, TargetState& target) {
-  const TargetState& told = state.coordinated.target;
-  if (target.status != TrackStatus::kTracking && told.status == TrackStatus::kTracking &&
-      now_s - told.stamp_s < kFleetStale_s)
-    target = told;
-}
-
-// What an operator orders comes before the seat.
-Framing framing_of(const TrackerState& state, const TrackerInput& input,
-                   const FleetParams& params) {
-  Framing framing = state.gate.mission.framing;
-  const SeatPlace& place = state.coordinated.place;
-  if (!input.fleet || place.is_alone || !framing.is_free()) return framing;
-  framing.is_seat = true;
-  if (place.ring == SeatRing::kFar) framing.distance_m = place.distance_m;
-  if (!place.seat.is_none() && params.directions) framing.bearing_enu_rad = place.bearing_rad;
-  return framing;
 }
 
 const GridMap* map_of(const TrackerState& state, const TrackerInput& input) {
@@ -111,7 +83,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
 
   if (input.fleet) {
     take_part(state, input, params, out);
-    see_by_others(state, input.now_s, out.target);
+    out.target = seen_by_any(out.target, state.coordinated.target, input.now_s);
   }
 
   const bool plans = out.map && input.now_s >= state.next_plan_s;
@@ -121,7 +93,7 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   bodies_around(state.bodies, input.now_s, followed, input.vehicle.position_enu_m, params.bodies,
                 state.around, state.looks);
   out.bodies = &state.around;
-  if (input.fleet) state.kept_clear = all_of(state.around, state.coordinated.peers);
+  if (input.fleet) state.kept_clear = all_of(state.around, state.coordinated.peers, input.now_s);
   const MovingBodies* kept_clear = input.fleet ? &state.kept_clear : &state.around;
   const bool doubtful = input.observation && input.observation->doubtful;
   out.choice = choose_person(people,
@@ -145,7 +117,8 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
                       .map = out.map,
                       .bodies = kept_clear,
                       .flies_plans = state.gate.flies_plans,
-                      .framing = framing_of(state, input, params.fleet),
+                      .framing = framing_of(state.gate.mission.framing, state.coordinated.place,
+                                            params.fleet),
                       .waits = out.choice.status == ChoiceStatus::kWaiting ||
                                out.choice.status == ChoiceStatus::kDoubtful},
                      params.planning);

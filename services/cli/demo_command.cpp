@@ -18,6 +18,7 @@
 #include "services/launch/domain.hpp"
 #include "services/offline/people/load_person.hpp"
 #include "services/operator/demo_flight.hpp"
+#include "services/operator/fleet_demo.hpp"
 #include "services/operator/view.hpp"
 
 namespace foretrack {
@@ -77,6 +78,8 @@ void add_station(DemoOptions& options) {
 int run(DemoArguments arguments) {
   auto& [options, out, domain, no_station, overrides] = arguments;
   auto& spec = options.spec;
+  if (spec.scenario.empty())
+    spec.scenario = overrides.vehicles.value_or(1) > 1 ? "fleet_blocks" : "t_intersection";
   if (!spec.params_file.empty()) load_params(spec.params_file);  // throws what is wrong in it
   if (overrides.color_images) {
     // Throws what is missing.
@@ -86,6 +89,7 @@ int run(DemoArguments arguments) {
   }
   overrides.map = spec.map == "known" ? MapSource::kKnown : MapSource::kDepth;
   options.scenario = load_scenario(spec.scenario, overrides);
+  spec.vehicles = fleet_names_of(options.scenario);
   spec.duration_s = options.scenario.duration_s;
   spec.seed = overrides.seed;
   spec.settings = overrides.settings;
@@ -98,14 +102,17 @@ int run(DemoArguments arguments) {
                                              fmt::localtime(std::time(nullptr)))
                                : out;
   set_up_logging(is_terminal() && !options.headless ? "off" : "warning");
-  fmt::print("{} for {:.0f} s, vehicle {}, DDS domain {}; Ctrl-C ends it early\n",
-             options.scenario.name, spec.duration_s, spec.vehicle, spec.domain);
+  fmt::print("{} for {:.0f} s, {}, DDS domain {}; Ctrl-C ends it early\n", options.scenario.name,
+             spec.duration_s,
+             spec.vehicles.empty() ? "vehicle " + spec.vehicle
+                                   : fmt::format("{} vehicles", spec.vehicles.size()),
+             spec.domain);
   if (!no_station) {
     add_station(options);
     fmt::print("page: {}\n", options.page);
   }
   std::fflush(stdout);
-  return fly_demo(options);
+  return spec.vehicles.empty() ? fly_demo(options) : fly_fleet_demo(options);
 }
 
 }  // namespace
@@ -113,8 +120,11 @@ int run(DemoArguments arguments) {
 std::function<int()> prepare_demo(CLI::App& app) {
   auto arguments = std::make_shared<DemoArguments>();
   auto& [options, out, domain, no_station, overrides] = *arguments;
-  app.add_option("--scenario", options.spec.scenario, "Shipped scenario or file")
-      ->capture_default_str();
+  options.spec.scenario.clear();
+  app.add_option(
+      "--scenario", options.spec.scenario,
+      "Shipped scenario or file; default: t_intersection, of several vehicles fleet_blocks");
+  add_vehicles(app, overrides);
   app.add_option("--for", overrides.duration_s, "Seconds; default: the scenario's")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", overrides.seed, "Of everything random in the scenario");

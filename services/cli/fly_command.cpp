@@ -63,27 +63,6 @@ void name_unfitted() {
     fmt::print(stderr, "{} has no fitted head: its probability is 0\n", name);
 }
 
-void print_fleet(const FleetFlight& flight) {
-  const FleetMetrics& m = flight.metrics;
-  fmt::print(
-      "seen by one       {:6.2f} %  of the time; by two {:.2f} %; by nobody for {:.2f} s at most\n",
-      100.0 * m.union_visibility, 100.0 * m.k2_visibility, m.longest_unseen_s);
-  fmt::print("separation        {:6.2f} m least, below the promise for {:.2f} s, {} contacts\n",
-             m.min_separation_m, m.below_separation_s, m.contacts);
-  fmt::print("one in the band   {:6.2f} %  of the time, {} handovers\n", 100.0 * m.band_share,
-             m.handovers);
-  fmt::print("in the way        {:6.2f} %  of the time a vehicle hides the person from another\n",
-             100.0 * m.mutual_occlusion);
-  fmt::print("told              {:6.1f} kB/s by each\n", 0.001 * m.bytes_per_s);
-  for (std::size_t i = 0; i < flight.names.size(); ++i) {
-    const Metrics& v = flight.vehicles[i].metrics;
-    fmt::print(
-        "{:<18}sees {:.1f} %, {:.2f} m away on average, {} collisions, {} contacts with people\n",
-        flight.names[i], 100.0 * (1.0 - v.fov_loss_rate), v.mean_distance_m, v.collisions,
-        v.person_contacts);
-  }
-}
-
 int fly_fleet_with(const FlyOptions& o, const Scenario& scenario, const TrackerParams& params) {
   const FleetFlight flight = fly_fleet(scenario, params, with_progress_line(scenario.duration_s));
   if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r{:40}\r", "");
@@ -91,7 +70,7 @@ int fly_fleet_with(const FlyOptions& o, const Scenario& scenario, const TrackerP
   if (o.json)
     fmt::print("{}", json_of(flight));
   else
-    print_fleet(flight);
+    fmt::print("{}", to_text(flight));
   return 0;
 }
 
@@ -127,6 +106,7 @@ std::function<int()> prepare_fly(CLI::App& app) {
       ->check(CLI::IsMember({"known", "depth"}));
   app.add_option("--params", o->params, "parameter file, or the name of a shipped one");
   add_settings(app, o->overrides);
+  add_vehicles(app, o->overrides);
   app.add_option("--track", o->overrides.track_file, "walk as a recorded pedestrian of this file")
       ->check(CLI::ExistingFile);
   app.add_option("--pedestrian", o->overrides.pedestrian, "which one of the track file");

@@ -61,13 +61,14 @@ Command onboard_command() {
 
 struct StageOptions {
   ServiceOptions service;
-  bool mapping = true;
+  StageChoice with;
 };
 
 std::shared_ptr<StageOptions> add_stage_options(CLI::App& app) {
   const auto o = std::make_shared<StageOptions>();
   add_options(app, o->service);
-  app.add_flag("!--no-mapping", o->mapping, "a known map comes from elsewhere");
+  app.add_flag("!--no-mapping", o->with.mapping, "a known map comes from elsewhere");
+  app.add_flag("!--no-fleet", o->with.fleet, "other vehicles are neither told nor heard");
   return o;
 }
 
@@ -78,7 +79,7 @@ std::function<int()> prepare_stages(CLI::App& app) {
     if (o->service.print_params) return print_params(o->service, "");
     const TrackerParams params = params_of(o->service);
     return run_until_stopped(o->service,
-                             [&](Stop& stop) { run_stages(o->service, params, o->mapping, stop); });
+                             [&](Stop& stop) { run_stages(o->service, params, o->with, stop); });
   };
 }
 
@@ -109,7 +110,8 @@ std::function<int()> prepare_onboard(CLI::App& app) {
       return ProcessSpec{.name = name, .arguments = std::move(words), .always = true};
     };
     auto stages = arguments_of(o->service);
-    if (!o->mapping) stages.push_back("--no-mapping");
+    if (!o->with.mapping) stages.push_back("--no-mapping");
+    if (!o->with.fleet) stages.push_back("--no-fleet");
     return supervise({process("safety_gate", arguments_of(o->service)), process("stages", stages)},
                      o->service.log_level);
   };
@@ -128,6 +130,7 @@ std::function<int()> prepare_simulator(CLI::App& app) {
   app.add_option("--map", o->map, "known or depth")->check(CLI::IsMember({"known", "depth"}));
   app.add_option("--seed", o->overrides.seed, "of everything random");
   add_settings(app, o->overrides);
+  add_vehicles(app, o->overrides);
   app.add_option("--for", o->overrides.duration_s, "seconds to simulate");
   app.add_option("--track", o->overrides.track_file, "walk as this recorded pedestrian");
   app.add_option("--pedestrian", o->overrides.pedestrian, "number of the pedestrian in the track");
@@ -159,6 +162,7 @@ std::vector<Command> service_commands() {
           onboard_command<2>(),
           onboard_command<3>(),
           onboard_command<4>(),
+          onboard_command<5>(),
           {"stages", "all services of the vehicle but the gate, in one process", prepare_stages},
           {"onboard", "the vehicle: the stages and the gate, each started again when it ends",
            prepare_onboard},

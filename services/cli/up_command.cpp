@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "services/cli/commands.hpp"
+#include "services/cli/scenario_options.hpp"
 #include "services/common/node.hpp"
 #include "services/common/options.hpp"
 #include "services/common/stop.hpp"
@@ -22,23 +23,34 @@ namespace {
 
 struct UpArguments {
   FlightSpec spec;
+  ScenarioOverrides overrides;
   std::string out = "flights/up";
   double for_s = std::numeric_limits<double>::infinity();
 };
 
-NodeOptions node_options(const FlightSpec& spec) {
+NodeOptions node_options(const FlightSpec& spec, const std::string& vehicle) {
   NodeOptions options;
   options.service = "up";
-  options.names.vehicle = spec.vehicle;
+  options.names.vehicle = vehicle;
   options.domain_id = spec.domain;
   options.interface = spec.interface;
   options.security = spec.security;
   return options;
 }
 
+// What is simulated starts by itself.
+struct Start {
+  Start(const FlightSpec& spec, const std::string& vehicle) : node(node_options(spec, vehicle)) {
+    order.insist();
+  }
+  Node node;
+  OrderSender order{node, {.order = MissionOrder::kStart, .operator_name = "up"}};
+};
+
 int run_up(UpArguments arguments) {
   if (!arguments.spec.params_file.empty()) load_params(arguments.spec.params_file);
-  load_scenario(arguments.spec.scenario);  // both throw what a user must correct
+  auto& spec = arguments.spec;  // both throw what a user must correct
+  spec.vehicles = fleet_names_of(load_scenario(spec.scenario, arguments.overrides));
   Stop stop;
   SignalStop signals(stop);
   set_up_logging("warning");
@@ -46,17 +58,20 @@ int run_up(UpArguments arguments) {
   Launcher launcher(std::filesystem::path(arguments.out) / "logs");
   for (auto& process : onboard_processes(arguments.spec)) launcher.add(std::move(process));
   launcher.add(simulator_process(arguments.spec));
-  std::printf("vehicle %s, domain %d, logs in %s/logs; Ctrl-C ends it\n",
-              arguments.spec.vehicle.c_str(), arguments.spec.domain, arguments.out.c_str());
-  Node node(node_options(arguments.spec));
-  // What is simulated starts by itself.
-  OrderSender start(node, {.order = MissionOrder::kStart, .operator_name = "up"});
-  start.insist();
+  const std::string who = spec.vehicles.empty()
+                              ? "vehicle " + spec.vehicle
+                              : std::to_string(spec.vehicles.size()) + " vehicles";
+  std::printf("%s, domain %d, logs in %s/logs; Ctrl-C ends it\n", who.c_str(), spec.domain,
+              arguments.out.c_str());
+  std::vector<std::unique_ptr<Start>> starts;
+  if (spec.vehicles.empty()) starts.push_back(std::make_unique<Start>(spec, spec.vehicle));
+  for (const FleetNames& names : spec.vehicles)
+    starts.push_back(std::make_unique<Start>(spec, names.vehicle));
   const double begin_s = steady_s();
   while (!stop.requested() && steady_s() - begin_s < arguments.for_s && !launcher.any_given_up()) {
     for (const auto& line : launcher.poll()) std::printf("%s\n", line.c_str());
     std::fflush(stdout);
-    start.update();
+    for (const auto& start : starts) start->order.update();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   const bool failed = launcher.any_given_up();
@@ -70,6 +85,7 @@ std::function<int()> prepare_up(CLI::App& app) {
   auto arguments = std::make_shared<UpArguments>();
   auto& spec = arguments->spec;
   app.add_option("--scenario", spec.scenario, "Shipped scenario or file")->capture_default_str();
+  add_vehicles(app, arguments->overrides);
   app.add_option("--vehicle", spec.vehicle, "Vehicle name")->capture_default_str();
   app.add_option("--domain", spec.domain, "DDS domain")
       ->envname("ROS_DOMAIN_ID")

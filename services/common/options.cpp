@@ -110,6 +110,15 @@ void add_options(CLI::App& app, ServiceOptions& options) {
   app.add_flag(
       "--dry-run", options.dry_run,
       "safety_gate decides, shows and records, and sends nothing to the flight controller");
+  app.add_option("--fleet-frame", options.fleet_frame,
+                 "Name of the world in which this vehicle's odometry is. Vehicles that name the same "
+                 "one share it; others are aligned by the person whom both see")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return name.empty() || name.size() > 64 ? "1 to 64 letters expected" : "";
+          },
+          "NAME"))
+      ->capture_default_str();
   options.state_folder = default_state_folder();
   app.add_option("--state-dir", options.state_folder,
                  "Folder in which safety_gate remembers its mission across a restart")
@@ -123,7 +132,8 @@ std::vector<std::string> arguments_of(const ServiceOptions& o) {
   std::vector<std::string> words = {
       "--vehicle",     o.names.vehicle,     "--domain",     std::to_string(o.domain_id),
       "--clock-topic", o.names.clock_topic, "--state-dir",  o.state_folder,
-      "--log-level",   o.log_level,         "--base-frame", o.names.body_frame};
+      "--log-level",   o.log_level,         "--base-frame", o.names.body_frame,
+      "--fleet-frame", o.fleet_frame};
   const auto add = [&words](bool wanted, std::vector<std::string> more) {
     if (wanted) words.insert(words.end(), more.begin(), more.end());
   };

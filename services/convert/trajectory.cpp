@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "services/convert/geometry.hpp"
+#include "services/convert/pieces.hpp"
 
 namespace foretrack {
 namespace {
@@ -34,8 +35,6 @@ constexpr std::size_t kMaxNodes = 512;
 constexpr std::size_t kMaxRegions = 64;
 constexpr std::size_t kMaxPolytopes = 32;
 constexpr std::size_t kMaxFaces = 64;
-constexpr double kJoin_m = 0.01;
-constexpr double kJoin_m_s = 0.05;
 
 void check_length(const char* field, std::size_t size, std::size_t max) {
   if (size > max) throw std::length_error(fmt::format("{}: {} long, at most {}", field, size, max));
@@ -66,16 +65,6 @@ AnglePlan read_angles(Checks& checks, const msg::AnglePlan& in) {
   return out;
 }
 
-// Positions, speeds and accelerations at both ends, so that no coefficient can hide behind 0 · t.
-void check_ends(Checks& checks, const QuinticPiece& piece) {
-  for (const double t : {0.0, piece.duration_s}) {
-    checks.within("pieces.position", to_array(piece.position(t)), limits::kPosition_m);
-    checks.within("pieces.velocity", to_array(piece.velocity(t)), limits::kSpeed_m_s);
-    checks.within("pieces.acceleration", to_array(piece.acceleration(t)),
-                  limits::kAcceleration_m_s2);
-  }
-}
-
 QuinticPiece read_piece(Checks& checks, const msg::TrajectoryPiece& in) {
   QuinticPiece out;
   checks.positive("pieces.duration_s", in.duration_s(), limits::kDuration_s);
@@ -87,13 +76,6 @@ QuinticPiece read_piece(Checks& checks, const msg::TrajectoryPiece& in) {
     }
   check_ends(checks, out);
   return out;
-}
-
-void check_join(Checks& checks, const QuinticPiece& a, const QuinticPiece& b) {
-  const double jump_m = (a.position(a.duration_s) - b.position(0.0)).norm();
-  const double jump_m_s = (a.velocity(a.duration_s) - b.velocity(0.0)).norm();
-  checks.in_range("pieces.position jump", jump_m, 0.0, kJoin_m);
-  checks.in_range("pieces.velocity jump", jump_m_s, 0.0, kJoin_m_s);
 }
 
 void read_pieces(Checks& checks, const msg::PlannedTrajectory& in, PlannedTrajectory& out) {

@@ -11,6 +11,11 @@
 
 namespace foretrack {
 
+/// What one vehicle of a fleet is called.
+struct FleetNames {
+  std::string vehicle, px4_namespace;
+};
+
 struct FlightSpec {
   std::string scenario = "t_intersection";  // shipped name or file
   std::string track_file;                   // walk as this recorded pedestrian; empty: no
@@ -22,6 +27,7 @@ struct FlightSpec {
   std::string map = "depth";          // or "known": the true one, and no mapping
   bool camera = false;                // rendered images instead of landmarks
   std::string vehicle = "uav1";
+  std::vector<FleetNames> vehicles;   // of a fleet, instead of `vehicle`
   int domain = 0;
   std::string interface;     // of the network; empty: this machine alone
   std::string security;      // folder of the identity that all of them have; empty: none
@@ -32,9 +38,11 @@ struct FlightSpec {
 /// The services on the vehicle, in the order of the pipeline. Their names are their subcommands.
 inline constexpr const char* kOnboardServices[] = {"perception", "mapping", "prediction",
                                                    "planning", "safety_gate"};
-bool is_onboard(const std::string& service);
+/// By the name of its process.
+bool is_onboard(const std::string& process);
 
-/// Without mapping, if the map is known.
+/// Without mapping, if the map is known. Of a fleet: two processes a vehicle, "uav1.stages" and
+/// "uav1.safety_gate".
 std::vector<ProcessSpec> onboard_processes(const FlightSpec& spec);
 ProcessSpec simulator_process(const FlightSpec& spec);
 

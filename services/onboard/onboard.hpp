@@ -22,9 +22,15 @@ struct OnboardService {
 /// In the order of the pipeline.
 std::span<const OnboardService> onboard_services();
 
+/// Which of the stages there are.
+struct StageChoice {
+  bool mapping = true;  ///< without, a known map must come from elsewhere
+  bool fleet = true;    ///< without, the vehicle flies as if it were alone
+};
+
 /// All but the gate, in this process, until the stop is requested. If one service fails to start,
-/// all stop and its error is thrown. Without mapping, a known map must come from elsewhere.
-void run_stages(const ServiceOptions& options, const TrackerParams& params, bool with_mapping,
-                Stop& stop);
+/// all stop and its error is thrown.
+void run_stages(const ServiceOptions& options, const TrackerParams& params,
+                const StageChoice& with, Stop& stop);
 
 }  // namespace foretrack

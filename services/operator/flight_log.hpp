@@ -29,6 +29,8 @@ class FlightLog {
   void attach(Hooks& hooks);
 
   const std::vector<FlightRow>& rows() const { return rows_; }
+  /// The stamp of the first row; negative: there is none.
+  double first_s() const { return first_s_; }
   /// Wall time of each stage of prediction and planning, one value a call.
   const std::map<std::string, std::vector<double>>& stage_ms() const { return stage_ms_; }
   /// From an image's stamp to the first setpoint that follows from it, one value an image.

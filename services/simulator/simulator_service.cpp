@@ -4,20 +4,24 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/simulator/fleet_failures.hpp"
+#include "core/simulator/fleet_starts.hpp"
 #include "services/convert/geometry.hpp"
-#include "services/convert/px4.hpp"
-#include "services/convert/px4_command.hpp"
 
 namespace foretrack {
 namespace {
 
 constexpr double kStep_s = 0.01;
-constexpr std::size_t kMaxCommands = 16;
 constexpr double kMostBehind = 5.0;  // steps that are made up for
 
 double checked_speed(double speed) {
   if (speed >= 0.01 && speed <= 100.0) return speed;
   throw std::invalid_argument("speed " + std::to_string(speed) + ": 0.01 to 100 expected");
+}
+
+void take_names_of(const Scenario& scenario, std::size_t vehicle, Names& names) {
+  names.vehicle = scenario.vehicles[vehicle].name;
+  names.px4_namespace = px4_namespace_of(vehicle);
 }
 
 }  // namespace
@@ -27,16 +31,34 @@ SimulatorService::SimulatorService(Service& service, const Scenario& scenario,
     : clock_of_pace_(service.clock()),
       stop_(stop),
       options_(options),
-      state_(make_simulator(scenario, options.person, options.bystanders)),
-      heartbeat_(service.node()),
-      setpoint_(service.node()),
-      command_(service.node()),
-      ack_(service.node()),
-      clock_(service.node()),
-      world_(service.node(), scenario, state_.world) {
-  state_.people_wait = options.people_wait_s > 0.0;
+      scenario_(scenario),
+      people_wait_(options.people_wait_s > 0.0),
+      clock_(service.node()) {
   period_s_ = kStep_s / checked_speed(options.speed);
+  if (scenario.vehicles.empty())
+    vehicles_.push_back(std::make_unique<SimulatedVehicle>(
+        service.node(), make_simulator(scenario, options.person, options.bystanders)));
+  else
+    add_vehicles(service);
   service.loop().every_wall(period_s_, [this] { keep_pace(); });
+}
+
+void SimulatorService::add_vehicles(Service& service) {
+  const World world = world_of(scenario_);
+  const Person person =
+      make_person(scenario_.target.person, walk_of(scenario_, world), world.min_m.z());
+  const std::vector<Vec3> starts = fleet_starts(scenario_, world, person);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    Scenario one = scenario_of(scenario_, i, starts[i], person);
+    one.autopilot.system_id = px4_system_of(i);
+    NodeOptions options = service.node().options();
+    take_names_of(scenario_, i, options.names);
+    if (i > 0) nodes_.push_back(std::make_unique<Node>(options));
+    vehicles_.push_back(std::make_unique<SimulatedVehicle>(
+        i > 0 ? *nodes_.back() : service.node(),
+        make_simulator(one, options_.person, options_.bystanders)));
+    if (i > 0) nodes_.back()->announce();
+  }
 }
 
 // A rendered image takes longer than a step: the next steps make up for it, two at a time.
@@ -50,56 +72,46 @@ void SimulatorService::keep_pace() {
 }
 
 bool SimulatorService::people_wait() const {
-  const SimulatorOutput& out = state_.output;
-  const bool flies = out.autopilot.armed && out.autopilot.mode == FlightMode::kOffboard;
-  return state_.people_wait && !flies && out.now_s < options_.people_wait_s;
+  const bool all_fly = std::all_of(vehicles_.begin(), vehicles_.end(),
+                                   [](const auto& vehicle) { return vehicle->flies_offboard(); });
+  return people_wait_ && !all_fly && now_s_ < options_.people_wait_s;
+}
+
+bool SimulatorService::is_there(std::size_t vehicle) const {
+  return scenario_.vehicles.empty() ||
+         is_there_at(scenario_, scenario_.vehicles[vehicle].name, now_s_ - people_set_off_s_);
 }
 
 void SimulatorService::step() {
-  state_.people_wait = people_wait();
-  if (state_.people_wait) people_set_off_s_ = state_.output.now_s;
-  const SimulatorOutput& out = simulate(state_, take_input(), kStep_s);
-  if (out.answer) answer(*out.answer);
-  if (!commands_.empty()) commands_.pop_front();
-  world_.publish(out);
-  clock_.sample().clock(to_time(out.now_s));
+  people_wait_ = people_wait();
+  if (people_wait_) people_set_off_s_ = now_s_;
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) step(i);
+  now_s_ += kStep_s;
+  clock_.sample().clock(to_time(vehicles_.front()->output().now_s));
   clock_.write();
-  if (!options_.endless && out.now_s >= people_set_off_s_ + state_.scenario.duration_s)
-    stop_.request();
+  if (!options_.endless && now_s_ >= people_set_off_s_ + scenario_.duration_s) stop_.request();
 }
 
-void SimulatorService::answer(CommandResult result) {
-  to_ack(commands_.front(), result, state_.output.now_s, ack_.sample());
-  ack_.write();
-}
-
-AutopilotInput SimulatorService::take_input() {
-  AutopilotInput input;
-  input.heartbeat = heartbeat_.take_newest() != nullptr;
-  input.setpoint = setpoint_.take_newest_as(
-      [](const px4_msgs::msg::TrajectorySetpoint& message) { return from_idl(message); });
-  input.command = take_command();
-  return input;
-}
-
-// One a step, in the order of their arrival; others wait.
-std::optional<AutopilotCommand> SimulatorService::take_command() {
-  command_.take_each([this](const px4_msgs::msg::VehicleCommand& message) {
-    if (commands_.size() < kMaxCommands) commands_.push_back(message);
-  });
-  if (commands_.empty()) return std::nullopt;
-  const auto command = from_idl(commands_.front());
-  if (command) return *command;
-  command_.refuse(command.fault());
-  if (commands_.front().target_system() == state_.autopilot.status.system_id)
-    answer(CommandResult::kUnsupported);
-  return std::nullopt;
+// Who has died, or has yet to join, is silent, and nobody sees it.
+void SimulatorService::step(std::size_t vehicle) {
+  SimulatorState& state = vehicles_[vehicle]->state();
+  state.people_wait = people_wait_;
+  state.peers_enu_m.clear();
+  for (std::size_t i = 0; i < vehicles_.size(); ++i)
+    if (i != vehicle && is_there(i))
+      state.peers_enu_m.push_back(vehicles_[i]->state().quadrotor.vehicle.position_enu_m);
+  if (!scenario_.vehicles.empty())
+    state.blind = now_s_ - people_set_off_s_ >= failure_s(scenario_,
+                                                          scenario_.vehicles[vehicle].name,
+                                                          FleetFailureKind::kBlind);
+  vehicles_[vehicle]->step(kStep_s, is_there(vehicle));
 }
 
 void run_simulator(const ServiceOptions& options, const Scenario& scenario,
                    const SimulatorOptions& simulator, Stop& stop) {
   ServiceOptions own = options;
   own.use_sim_time = false;  // it is the clock
+  if (!scenario.vehicles.empty()) take_names_of(scenario, 0, own.names);
   Service service("simulator", own, stop);
   SimulatorService stage(service, scenario, simulator, stop);
   service.run();

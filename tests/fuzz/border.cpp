@@ -9,6 +9,8 @@
 
 #include "services/common/raw.hpp"
 #include "services/convert/bodies.hpp"
+#include "services/convert/fleet.hpp"
+#include "services/convert/fleet_report.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
@@ -35,6 +37,11 @@ void use(const PlannedTrajectory& plan) {
     if (!plan.pieces.empty() && !plan.position(t_s).allFinite())
       throw std::logic_error("a plan that is nowhere was accepted");
   }
+}
+void use(const FleetMember& member) {
+  for (const double t_s : kTimes_s)
+    if (!member.plan.empty() && !member.plan.position(t_s).allFinite())
+      throw std::logic_error("a vehicle that flies nowhere was accepted");
 }
 void use(const TargetState& state) {
   if (!state.position_enu_m.allFinite()) throw std::logic_error("a person who is nowhere");
@@ -65,6 +72,8 @@ constexpr std::array kFeeds = {
     feed<foretrack_msgs::msg::TargetState>,
     feed<foretrack_msgs::msg::PlannedTrajectory>,
     feed<nav_msgs::msg::Odometry>,
+    feed<foretrack_msgs::msg::FleetMember>,
+    feed<foretrack_msgs::msg::FleetDivision>,
 };
 
 }  // namespace

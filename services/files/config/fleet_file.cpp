@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace foretrack {
 namespace {
@@ -63,6 +64,16 @@ void check_names(YamlReader& r, const Scenario& s) {
 }
 
 }  // namespace
+
+void set_vehicles(int count, Scenario& s) {
+  if (count < 1 || count > static_cast<int>(kMaxVehicles))
+    throw std::invalid_argument(fmt::format("{} vehicles: 1 to {} expected", count, kMaxVehicles));
+  s.vehicles.resize(std::min(s.vehicles.size(), static_cast<std::size_t>(count)));
+  for (std::size_t n = 1; s.vehicles.size() < static_cast<std::size_t>(count); ++n)
+    if (const auto name = fmt::format("uav{}", n); !has_vehicle(s, name))
+      s.vehicles.emplace_back().name = name;
+  std::erase_if(s.failures, [&](const auto& f) { return !has_vehicle(s, f.vehicle); });
+}
 
 void read_fleet(YamlReader& r, Scenario& s) {
   if (r.has("vehicles") && r.has("vehicle")) r.fault("vehicles", "give either vehicle or vehicles");

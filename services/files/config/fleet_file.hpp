@@ -10,4 +10,8 @@ namespace foretrack {
 /// Faults go to the reader's: names that are twice there, or that nobody has.
 void read_fleet(YamlReader& r, Scenario& scenario);
 
+/// So many vehicles: the first of the scenario's, and others after them. Failures of those that are
+/// left out do not happen. Throws std::invalid_argument if there are too many.
+void set_vehicles(int count, Scenario& scenario);
+
 }  // namespace foretrack

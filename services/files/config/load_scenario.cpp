@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "services/files/config/fleet_file.hpp"
 #include "services/files/config/load_scenario.hpp"
 
 #include <fmt/format.h>
@@ -102,6 +103,7 @@ void apply(const ScenarioOverrides& o, Scenario& s, std::optional<TrackSource>& 
   if (o.duration_s) s.duration_s = *o.duration_s;
   if (o.seed) s.seed = *o.seed;
   if (o.color_images) s.color_images = true;
+  if (o.vehicles) set_vehicles(*o.vehicles, s);
   if (o.track_file) {
     track.emplace().file = fs::absolute(*o.track_file).string();
     s.target.route_m.clear();

@@ -16,6 +16,7 @@ struct ScenarioOverrides {
   std::optional<std::uint64_t> seed;  // also of the generated world, unless the file gives that one
   std::optional<MapSource> map;
   std::optional<double> duration_s;
+  std::optional<int> vehicles;            // so many: the first of the file's, and others after them
   bool color_images = false;              // rendered, whatever the scenario says
   std::optional<std::string> track_file;  // walk as this recorded pedestrian
   std::optional<int> pedestrian;

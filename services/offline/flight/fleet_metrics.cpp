@@ -125,6 +125,21 @@ Rows between(Rows rows, double from_s, double to_s) {
 
 }  // namespace
 
+FleetMetricParams fleet_metric_params_of(const MetricParams& metrics, const FleetParams& params) {
+  return {.vehicle_radius_m = metrics.vehicle_radius_m,
+          .separation_m = params.separation_m,
+          .downwash_m = params.downwash_m,
+          .band_low_m = metrics.band_low_m,
+          .band_high_m = metrics.band_high_m};
+}
+
+bool hides(const Vec3& hull_enu_m, const Vec3& eye_enu_m, const Vec3& person_enu_m) {
+  constexpr double kSlack_m = 0.4;  // a hull that is nearer to the line hides
+  const Vec3 way = person_enu_m - eye_enu_m;
+  const double along = (hull_enu_m - eye_enu_m).dot(way) / way.squaredNorm();
+  return along > 0.0 && along < 1.0 && (eye_enu_m + along * way - hull_enu_m).norm() < kSlack_m;
+}
+
 FleetMetrics fleet_metrics_of(Rows rows, std::span<const TruthEvent> events,
                               const FleetMetricParams& params) {
   FleetMetrics m;

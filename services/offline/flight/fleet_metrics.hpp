@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/fleet/fleet_params.hpp"
 #include "core/scores/truth.hpp"
 #include "services/offline/flight/metrics.hpp"
 
@@ -60,6 +61,12 @@ struct FleetMetricParams {
   double downwash_m = 2.0;
   double band_low_m = 1.5, band_high_m = 2.5;
 };
+
+/// What counts as near and far, by the parameters that are flown with.
+FleetMetricParams fleet_metric_params_of(const MetricParams& metrics, const FleetParams& params);
+
+/// Whether a vehicle's hull is in the line of sight from an eye to the person, or nearly.
+bool hides(const Vec3& hull_enu_m, const Vec3& eye_enu_m, const Vec3& person_enu_m);
 
 /// Precondition: rows at equal steps, with the same vehicles. events: the person's, in time order.
 FleetMetrics fleet_metrics_of(std::span<const FleetRow> rows, std::span<const TruthEvent> events,

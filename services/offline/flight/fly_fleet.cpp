@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/simulator/fleet_failures.hpp"
 #include "core/simulator/fleet_starts.hpp"
 #include "core/simulator/radio_link.hpp"
 #include "services/offline/people/load_person.hpp"
@@ -11,7 +12,6 @@ namespace foretrack {
 namespace {
 
 constexpr std::uint64_t kLinkPart = 7;  // of the scenario's seed
-constexpr double kHidingSlack_m = 0.4;  // a hull that is nearer to the line of sight hides
 
 // One vehicle: its own view of the shared world, its tracker, and what is on the way to it.
 struct Flyer {
@@ -25,18 +25,6 @@ struct Flyer {
   int seat = -1;
   bool is_near = false;
 };
-
-double failure_s(const Scenario& scenario, const std::string& name, FleetFailureKind kind) {
-  for (const FleetFailure& failure : scenario.failures)
-    if (failure.vehicle == name && failure.kind == kind) return failure.at_s;
-  return kind == FleetFailureKind::kJoins ? -1.0 : 1e18;
-}
-
-// What a message weighs on the wire, without headers of the network; as services/convert writes it.
-double bytes_of(const FleetMember& m) {
-  return 164.0 + 92.0 * m.plan.count + 212.0 * m.person_count + 28.0 * m.intention_count +
-         kSeatCount * (8.0 + m.intention_count);
-}
 
 class FlyingFleet {
  public:
@@ -75,8 +63,7 @@ class FlyingFleet {
 
  private:
   bool is_there(const Flyer& f) const {
-    return now_s_ >= failure_s(scenario_, f.name, FleetFailureKind::kJoins) &&
-           now_s_ < failure_s(scenario_, f.name, FleetFailureKind::kDies);
+    return is_there_at(scenario_, f.name, now_s_);
   }
 
   void advance() {
@@ -126,14 +113,10 @@ class FlyingFleet {
 
   bool peer_hides(const Flyer& f, const FlightRow& row) const {
     if (!row.sight.in_view) return false;
-    const Vec3 &eye = row.vehicle.position_enu_m, &person = row.target.position_enu_m;
-    const Vec3 way = person - eye;
-    for (const Vec3& peer : f.simulator.peers_enu_m) {
-      const double along = (peer - eye).dot(way) / way.squaredNorm();
-      if (along > 0.0 && along < 1.0 && (eye + along * way - peer).norm() < kHidingSlack_m)
-        return true;
-    }
-    return false;
+    const auto& peers = f.simulator.peers_enu_m;
+    return std::any_of(peers.begin(), peers.end(), [&](const Vec3& peer) {
+      return hides(peer, row.vehicle.position_enu_m, row.target.position_enu_m);
+    });
   }
 
   FleetRowMember member_of(const Flyer& f) const {
@@ -170,12 +153,8 @@ class FlyingFleet {
       out.names.push_back(f.name);
       out.vehicles.push_back(std::move(f.result));
     }
-    out.metrics = fleet_metrics_of(rows_, events,
-                                   {.vehicle_radius_m = metrics.vehicle_radius_m,
-                                    .separation_m = params_.fleet.separation_m,
-                                    .downwash_m = params_.fleet.downwash_m,
-                                    .band_low_m = metrics.band_low_m,
-                                    .band_high_m = metrics.band_high_m});
+    out.metrics =
+        fleet_metrics_of(rows_, events, fleet_metric_params_of(metrics, params_.fleet));
     for (const FlightResult& one : out.vehicles) {
       out.metrics.wall_contacts += one.metrics.collisions;
       out.metrics.person_contacts += one.metrics.person_contacts;
@@ -195,6 +174,11 @@ class FlyingFleet {
 };
 
 }  // namespace
+
+double bytes_of(const FleetMember& m) {
+  return 148.0 + 88.0 * m.plan.count + 192.0 * m.person_count +
+         m.intention_count * (20.0 + kSeatCount);
+}
 
 FleetFlight fly_fleet(const Scenario& scenario, const TrackerParams& params,
                       const FlightOptions& options) {

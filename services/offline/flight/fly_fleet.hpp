@@ -15,6 +15,9 @@ struct FleetFlight {
   FleetMetrics metrics;
 };
 
+/// What a message weighs as DDS writes it, without headers of the network.
+double bytes_of(const FleetMember& member);
+
 /// Flies all of scenario.vehicles with the tracker. The same scenario and parameters give the same
 /// rows. Throws std::invalid_argument for a scenario that cannot be.
 FleetFlight fly_fleet(const Scenario& scenario, const TrackerParams& params,

@@ -9,6 +9,7 @@
 #include "services/common/time_now.hpp"
 #include "services/convert/bodies.hpp"
 #include "services/convert/choice.hpp"
+#include "services/convert/fleet_report.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
 #include "services/convert/safety.hpp"
@@ -35,9 +36,11 @@ std::uint64_t first_id() {
 
 }  // namespace
 
-PlanningService::PlanningService(Service& service, const PlanningParams& params)
+PlanningService::PlanningService(Service& service, const PlanningParams& params,
+                                 const FleetParams& fleet)
     : service_(service),
       params_(params),
+      fleet_params_(fleet),
       vehicle_(service),
       map_reader_(service.node()),
       target_reader_(service.node()),
@@ -46,6 +49,9 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
       bodies_reader_(service.node()),
       gate_reader_(service.node()),
       choice_reader_(service.node()),
+      division_reader_(service.node()),
+      peers_reader_(service.node()),
+      told_reader_(service.node()),
       plan_(service.node()),
       search_(service.node()),
       path_(service.node()),
@@ -64,6 +70,12 @@ PlanningService::PlanningService(Service& service, const PlanningParams& params)
     waits_ = report.choice.status == ChoiceStatus::kWaiting ||
              report.choice.status == ChoiceStatus::kDoubtful;
   });
+  loop.on_newest(division_reader_, convert, [this](const FleetReport& told) {
+    place_ = told.place;
+    placed_s_ = told.stamp_s;
+  });
+  loop.on_newest(peers_reader_, convert, [this](const MovingBodies& peers) { peers_ = peers; });
+  loop.on_newest(told_reader_, convert, [this](const TargetState& told) { told_ = told; });
   loop.on_newest(gate_reader_, convert, [this](const GateReport& gate) {
     flies_plans_ = flies_plan(gate.result);
     framing_ = gate.result.framing;
@@ -88,18 +100,26 @@ void PlanningService::replan_if_late() {
   if (std::abs(service_.clock().now_s() - planned_s_) >= params_.horizon.plan_latest_s) replan();
 }
 
-PlanInput PlanningService::gather(double now_s) const {
+// A fleet that is silent gives no places.
+SeatPlace PlanningService::place_at(double now_s) const {
+  return std::abs(now_s - placed_s_) < fleet_params_.silent_s ? place_ : SeatPlace{};
+}
+
+PlanInput PlanningService::gather(double now_s) {
   PlanInput in;
   in.now_s = now_s;
-  in.target = target_;
+  in.target = seen_by_any(target_, told_, now_s);
   in.vehicle.stamp_s = -1e9;
   if (const VehicleState* vehicle = vehicle_.newest()) in.vehicle = *vehicle;
   if (intention_) in.intention = &*intention_;
   if (prediction_) in.prediction = &*prediction_;
   in.map = &map_;
-  if (bodies_) in.bodies = &*bodies_;
+  if (bodies_) {
+    kept_clear_ = all_of(*bodies_, peers_, now_s);
+    in.bodies = &kept_clear_;
+  }
   in.flies_plans = flies_plans_;
-  in.framing = framing_;
+  in.framing = framing_of(framing_, place_at(now_s), fleet_params_);
   in.waits = waits_;
   return in;
 }
@@ -108,7 +128,7 @@ std::string PlanningService::missing(const PlanInput& in) const {
   const PlanInput fresh = without_stale(in, params_.horizon);
   if (vehicle_.age_s(in.now_s) > params_.horizon.vehicle_stale_s) return "no odometry";
   if (!fresh.map) return "no map";
-  if (in.now_s - target_.stamp_s > params_.horizon.target_stale_s) return "no target state";
+  if (in.now_s - in.target.stamp_s > params_.horizon.target_stale_s) return "no target state";
   if (!fresh.prediction) return "no prediction";
   return {};
 }
@@ -157,9 +177,10 @@ void PlanningService::draw(const PlannedTrajectory& plan) {
   }
 }
 
-void run_planning(const ServiceOptions& options, const PlanningParams& params, Stop& stop) {
+void run_planning(const ServiceOptions& options, const PlanningParams& params,
+                  const FleetParams& fleet, Stop& stop) {
   Service service("planning", options, stop);
-  PlanningService stage(service, params);
+  PlanningService stage(service, params, fleet);
   service.run();
 }
 

@@ -4,8 +4,10 @@
 
 #include <optional>
 
+#include "core/fleet/use_fleet.hpp"
 #include "core/planning/plan.hpp"
 #include "core/planning/search/search_summary.hpp"
+#include "foretrack_msgs/msg/FleetDivision.h"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MovingBodies.h"
 #include "foretrack_msgs/msg/PlannedTrajectory.h"
@@ -25,13 +27,14 @@ namespace foretrack {
 /// stamp 0 is known and never too old.
 class PlanningService {
  public:
-  PlanningService(Service& service, const PlanningParams& params);
+  PlanningService(Service& service, const PlanningParams& params, const FleetParams& fleet);
 
  private:
   void replan();
   void believe(const IntentionAssessment& intention);
   void replan_if_late();
-  PlanInput gather(double now_s) const;
+  PlanInput gather(double now_s);
+  SeatPlace place_at(double now_s) const;
   std::string missing(const PlanInput& input) const;
   void publish(const PlanResult& result);
   void tell_search();
@@ -39,6 +42,7 @@ class PlanningService {
 
   Service& service_;
   PlanningParams params_;
+  FleetParams fleet_params_;
   PlanningState state_;
   VehicleInput vehicle_;
   Reader<topics::LocalMap> map_reader_;
@@ -48,6 +52,9 @@ class PlanningService {
   Reader<topics::MovingBodies> bodies_reader_;
   Reader<topics::SafetyState> gate_reader_;
   Reader<topics::TargetChoice> choice_reader_;
+  Reader<topics::FleetDivision> division_reader_;
+  Reader<topics::FleetBodies> peers_reader_;
+  Reader<topics::FleetTarget> told_reader_;
   Writer<topics::PlannedTrajectory> plan_;
   Writer<topics::TargetSearch> search_;
   Writer<topics::PlanPath> path_;
@@ -57,6 +64,11 @@ class PlanningService {
   std::optional<IntentionAssessment> intention_;
   std::optional<Prediction> prediction_;
   std::optional<MovingBodies> bodies_;
+  SeatPlace place_;  // in the fleet, as of then
+  double placed_s_ = -1e9;
+  MovingBodies peers_;
+  MovingBodies kept_clear_;  // bodies and peers
+  TargetState told_;  // where the others see the person
   bool flies_plans_ = true;  // until a gate says otherwise
   Framing framing_;          // as it was ordered
   bool waits_ = false;       // nobody is to be followed now, or an operator is asked who it is
@@ -67,6 +79,7 @@ class PlanningService {
 };
 
 /// Until the stop is requested.
-void run_planning(const ServiceOptions& options, const PlanningParams& params, Stop& stop);
+void run_planning(const ServiceOptions& options, const PlanningParams& params,
+                  const FleetParams& fleet, Stop& stop);
 
 }  // namespace foretrack

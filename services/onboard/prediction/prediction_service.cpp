@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/prediction/prediction_service.hpp"
 
+#include "core/fleet/use_fleet.hpp"
 #include "core/prediction/calibrate.hpp"
 #include "services/common/time_now.hpp"
 #include "services/convert/map.hpp"
@@ -32,6 +33,7 @@ PredictionService::PredictionService(Service& service, const PredictionParams& p
       params_(params),
       map_reader_(service.node()),
       target_(service.node()),
+      told_reader_(service.node()),
       intention_(service.node()),
       prediction_(service.node()),
       path_(service.node()),
@@ -39,6 +41,7 @@ PredictionService::PredictionService(Service& service, const PredictionParams& p
   service.health().set_fact("unfitted_intentions", names_of(unfitted()));
   Loop& loop = service.loop();
   loop.on_newest(map_reader_, convert, [this](GridMap&& map) { map_ = std::move(map); });
+  loop.on_newest(told_reader_, convert, [this](const TargetState& told) { told_ = told; });
   loop.on_newest(target_, convert, [this](const TargetState& target) {
     taken_s_ = service_.clock().now_s();
     predict_from(target);
@@ -47,7 +50,8 @@ PredictionService::PredictionService(Service& service, const PredictionParams& p
 }
 
 // Without a map nothing is known to stand in the target's way.
-void PredictionService::predict_from(const TargetState& target) {
+void PredictionService::predict_from(const TargetState& own) {
+  const TargetState& target = seen_by_any(own, told_, service_.clock().now_s());
   const double start_s = steady_s();
   const auto& [intention, prediction] = predict(state_, target, map_, params_);
   if (prediction.status != PredictionStatus::kNoTarget) {

@@ -29,11 +29,13 @@ class PredictionService {
   PredictionState state_;
   Reader<topics::LocalMap> map_reader_;
   Reader<topics::TargetState> target_;
+  Reader<topics::FleetTarget> told_reader_;
   Writer<topics::TargetIntention> intention_;
   Writer<topics::TargetPrediction> prediction_;
   Writer<topics::PredictionPath> path_;
   Writer<topics::Markers> markers_;
   GridMap map_;
+  TargetState told_;  // where the others of a fleet see the person
   double taken_s_ = -1e9;
   DrawingPace drawing_;
 };

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/order_proof.hpp"
@@ -56,6 +58,7 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
       plan_reader_(service.node()),
       map_reader_(service.node()),
       bodies_reader_(service.node()),
+      peers_reader_(service.node()),
       order_reader_(service.node()),
       report_(service.node()) {
   remember_start(memory_file);
@@ -64,6 +67,7 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
   plan_reader_.pin_writer(kSilence_s);
   map_reader_.pin_writer(kMapSilence_s);
   bodies_reader_.pin_writer(kSilence_s);
+  peers_reader_.pin_writer(kSilence_s);
   order_reader_.take_future_stamps();  // STOP and LAND count whenever they were given,
   order_reader_.notice_second_writers(kOrderSilence_s);  // and from whomever
   Loop& loop = service.loop();
@@ -89,6 +93,10 @@ SafetyGateService::SafetyGateService(Service& service, const SafetyParams& param
         bodies_ = bodies;
         bodies_at_s_ = service_.clock().steady_s();
       });
+  loop.on_newest(peers_reader_, convert, [this](const MovingBodies& peers) {
+    peers_ = peers;
+    peers_at_s_ = service_.clock().steady_s();
+  });
   loop.on_each(order_reader_,
                [this](const foretrack_msgs::msg::MissionCommand& order) { hear_order(order); });
   loop.every(kTick_s, [this] { tick(); });
@@ -124,6 +132,17 @@ void SafetyGateService::notice_source(const MissionCommand& order) {
   orders_of_others_ = others;
 }
 
+// What one of the two said last counts no longer than it would alone.
+void SafetyGateService::read_bodies(GateInput& in) {
+  if (bodies_) in.bodies = &*bodies_;
+  in.bodies_at_s = bodies_at_s_;
+  if (!peers_) return;
+  const bool tracked = bodies_ && in.now_s - bodies_at_s_ < params_.bodies_stale_s;
+  kept_clear_ = all_of(tracked ? *bodies_ : MovingBodies{}, *peers_, in.stamp_now_s);
+  in.bodies = &kept_clear_;
+  in.bodies_at_s = std::max(bodies_at_s_, peers_at_s_);
+}
+
 void SafetyGateService::tick() {
   const double now_s = service_.clock().steady_s();
   if (now_s < now_s_) {  // a simulation was started anew
@@ -140,8 +159,7 @@ void SafetyGateService::tick() {
   if (plan_) in.plan = &*plan_;
   if (map_) in.map = &*map_;
   in.map_at_s = map_at_s_;
-  if (bodies_) in.bodies = &*bodies_;
-  in.bodies_at_s = bodies_at_s_;
+  read_bodies(in);
   if (!orders_.empty()) in.command = &orders_.front();
   in.operator_at_s = operator_at_s_;
   in.images_blind = is_blind();
@@ -182,9 +200,9 @@ bool SafetyGateService::is_blind() const {
 
 // Samples of a second writer are not heard, unless they are orders; that there is one is.
 std::string SafetyGateService::alarm() {
-  const std::array<const EndpointStats*, 5> inputs = {&order_reader_.stats(), &plan_reader_.stats(),
-                                                      &vehicle_.stats(), &map_reader_.stats(),
-                                                      &bodies_reader_.stats()};
+  const std::array<const EndpointStats*, 6> inputs = {&order_reader_.stats(),  &plan_reader_.stats(),
+                                                      &vehicle_.stats(),       &map_reader_.stats(),
+                                                      &bodies_reader_.stats(), &peers_reader_.stats()};
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto samples = i == 0 ? strange_orders_ : inputs[i]->rejected_for(kSecondWriter);
     if (samples == second_writers_[i]) continue;

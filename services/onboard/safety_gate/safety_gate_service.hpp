@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/fleet/use_fleet.hpp"
 #include "core/safety/gate.hpp"
 #include "foretrack_msgs/msg/LocalMap.h"
 #include "foretrack_msgs/msg/MissionCommand.h"
@@ -36,6 +37,7 @@ class SafetyGateService {
   bool proves_the_lease(const MissionCommand& order) const;
   void notice_source(const MissionCommand& order);
   void tick();
+  void read_bodies(GateInput& in);
   void tell_turn(const GateResult& now) const;
   void publish(const GateResult& result);
   bool is_news(const GateResult& result) const;
@@ -52,6 +54,7 @@ class SafetyGateService {
   Reader<topics::PlannedTrajectory> plan_reader_;
   Reader<topics::LocalMap> map_reader_;
   Reader<topics::MovingBodies> bodies_reader_;
+  Reader<topics::FleetBodies> peers_reader_;
   Reader<topics::MissionCommand> order_reader_;
   Writer<topics::SafetyState> report_;
   std::optional<PlannedTrajectory> plan_;  // that the gate has not seen
@@ -59,6 +62,9 @@ class SafetyGateService {
   double map_at_s_ = -1.0;
   std::optional<MovingBodies> bodies_;
   double bodies_at_s_ = -1.0;
+  std::optional<MovingBodies> peers_;  // other vehicles; none: no fleet was heard
+  double peers_at_s_ = -1.0;
+  MovingBodies kept_clear_;  // bodies and peers
   bool color_blind_ = false, depth_blind_ = false;  // as perception and mapping say with these
   double operator_at_s_ = -1.0;
   std::deque<MissionCommand> orders_;
@@ -67,7 +73,7 @@ class SafetyGateService {
   double reported_s_ = -1e18;
   std::uint64_t orders_of_others_ = 0;             // of a second writer, so far
   std::uint64_t strange_orders_ = 0;               // and without a proof of the lease
-  std::array<std::uint64_t, 5> second_writers_{};  // samples of them so far, by input
+  std::array<std::uint64_t, 6> second_writers_{};  // samples of them so far, by input
   double second_writer_s_ = -1e18;                 // when the last one came
   std::string second_writer_of_;
 };

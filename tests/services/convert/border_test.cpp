@@ -4,6 +4,8 @@
 
 #include "services/common/raw.hpp"
 #include "services/convert/bodies.hpp"
+#include "services/convert/fleet.hpp"
+#include "services/convert/fleet_report.hpp"
 #include "services/convert/image.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/prediction.hpp"
@@ -76,6 +78,18 @@ std::vector<Seed> good_samples() {
   add(seeds, message_of<foretrack_msgs::msg::TargetState>(foretrack::TargetState{}));
   add(seeds, message_of<foretrack_msgs::msg::PlannedTrajectory>(a_plan()));
   add(seeds, message_of<nav_msgs::msg::Odometry>(VehicleState{}));
+  foretrack::FleetMember member;
+  member.vehicle = "uav2";
+  member.frame = "map";
+  member.plan.count = member.person_count = 1;
+  member.plan.pieces[0].duration_s = 0.5;
+  member.persons[0].id = member.follows = 1;
+  member.intention_count = 5;
+  add(seeds, message_of<foretrack_msgs::msg::FleetMember>(member));
+  FleetReport fleet;
+  fleet.vehicle = fleet.division.parts[0].vehicle = fleet.peers[0].vehicle = "uav2";
+  fleet.division.count = fleet.peer_count = 1;
+  add(seeds, message_of<foretrack_msgs::msg::FleetDivision>(fleet));
   return seeds;
 }
 

@@ -26,7 +26,7 @@ class FlightOnDds : public ::testing::Test {
     });
     stages_.emplace([map](ServiceOptions options, Stop& stop) {
       options.use_sim_time = true;
-      run_stages(options, TrackerParams{}, map == MapSource::kDepth, stop);
+      run_stages(options, TrackerParams{}, {.mapping = map == MapSource::kDepth}, stop);
     });
     gate_.emplace([](ServiceOptions options, Stop& stop) {
       options.use_sim_time = true;
@@ -102,14 +102,14 @@ TEST(Onboard, NamesItsServicesInTheOrderOfThePipeline) {
   std::vector<std::string> names;
   for (const auto& service : onboard_services()) names.push_back(service.name);
   EXPECT_THAT(names, ::testing::ElementsAre("perception", "mapping", "prediction", "planning",
-                                            "safety_gate"));
+                                            "fleet", "safety_gate"));
 }
 
 TEST(Onboard, ThrowsWhatAServiceCouldNotStartWith) {
   ServiceOptions options = service_options();
   options.names.vehicle = "Not A Name";
   Stop stop;
-  EXPECT_THROW(run_stages(options, TrackerParams{}, true, stop), std::invalid_argument);
+  EXPECT_THROW(run_stages(options, TrackerParams{}, {}, stop), std::invalid_argument);
 }
 
 }  // namespace

@@ -175,6 +175,54 @@ TEST(Simulator, PublishesColourImagesInsteadOfLandmarksWhenAsked) {
   EXPECT_EQ(observation.take_newest(), nullptr);
 }
 
+// What is heard of one vehicle of a fleet.
+struct FleetNeighbour {
+  FleetNeighbour(const char* vehicle, const char* px4)
+      : node([&] {
+          NodeOptions options = node_options("neighbour");
+          options.names.vehicle = vehicle;
+          options.names.px4_namespace = px4;
+          return options;
+        }()),
+        status(node),
+        truth(node),
+        target(node) {}
+  Node node;
+  Reader<topics::Px4VehicleStatus> status;
+  Reader<topics::VehicleTruth> truth;
+  Reader<topics::TargetTruth> target;
+};
+
+TEST(Simulator, VehiclesOfAFleetShareThePersonAndHaveNamesOfTheirOwn) {
+  Scenario fleet = scenario();
+  fleet.vehicle_enu_m.reset();
+  fleet.vehicles.resize(2);
+  fleet.vehicles[0] = {.name = "uav1", .position_enu_m = Vec3(-2.0, 0.0, 1.5)};
+  fleet.vehicles[1] = {.name = "uav2", .position_enu_m = Vec3(-2.0, 3.0, 1.5)};
+  Running service([&](const ServiceOptions& options, Stop& stop) {
+    run_simulator(options, fleet, {.speed = 1.0, .endless = true}, stop);
+  });
+  FleetNeighbour first("uav1", "px4_1"), second("uav2", "px4_2");
+  Neighbours neighbours;
+  std::optional<AutopilotStatus> status;
+  std::optional<VehicleState> one, two, seen_by_one, seen_by_two;
+  const auto odometry = [](const nav_msgs::msg::Odometry& m) { return from_idl(m); };
+  ASSERT_TRUE(neighbours.until([&] {
+    if (auto s = second.status.take_newest_as(
+            [](const px4_msgs::msg::VehicleStatus& m) { return from_idl(m); }))
+      status = *s;
+    if (auto s = first.truth.take_newest_as(odometry)) one = *s;
+    if (auto s = second.truth.take_newest_as(odometry)) two = *s;
+    if (auto s = first.target.take_newest_as(odometry)) seen_by_one = *s;
+    if (auto s = second.target.take_newest_as(odometry)) seen_by_two = *s;
+    return status && one && two && seen_by_one && seen_by_two &&
+           seen_by_one->stamp_s == seen_by_two->stamp_s;
+  }));
+  EXPECT_EQ(status->system_id, 3);
+  EXPECT_NEAR((one->position_enu_m - two->position_enu_m).norm(), 3.0, 0.3);
+  EXPECT_EQ(seen_by_one->position_enu_m, seen_by_two->position_enu_m);
+}
+
 TEST(Simulator, RefusesAnImpossibleSpeed) {
   Stop stop;
   EXPECT_THROW(run_simulator(service_options(), scenario(), {.speed = 0.0}, stop),

@@ -309,5 +309,18 @@ TEST_F(LoadScenario, RandomStopsComeFromTheSeedWithinTheirRanges) {
   EXPECT_THAT(error_of("target: {random_stops: {every_s: [6, 4]}}\n"), HasSubstr("every_s"));
 }
 
+TEST(LoadScenario, TakesSoManyVehiclesAsTheCommandLineSays) {
+  const auto names = [](int count) {
+    std::vector<std::string> out;
+    for (const FleetVehicle& v : load_scenario("fleet_blocks", {.vehicles = count}).vehicles)
+      out.push_back(v.name);
+    return out;
+  };
+  EXPECT_EQ(names(2), (std::vector<std::string>{"uav1", "uav2"}));
+  EXPECT_EQ(names(4), (std::vector<std::string>{"uav1", "uav2", "uav3", "uav4"}));
+  EXPECT_EQ(load_scenario("open_field", {.vehicles = 2}).vehicles.size(), 2u);
+  EXPECT_THROW(load_scenario("open_field", {.vehicles = 17}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace foretrack

@@ -54,7 +54,7 @@ class PlanningOnDds : public ::testing::Test {
   Writer<topics::LocalMap> map_{neighbours_.node()};
   Reader<topics::PlannedTrajectory> plan_reader_{neighbours_.node()};
   Running service_{[](const ServiceOptions& options, Stop& stop) {
-    run_planning(options, PlanningParams{}, stop);
+    run_planning(options, PlanningParams{}, FleetParams{}, stop);
   }};
   PlannedTrajectory plan_;
   int heard_ = 0;

@@ -101,6 +101,29 @@ export interface TargetChoice {
   candidates: ChoiceCandidate[];
 }
 
+export interface FleetPeer {
+  vehicle: string;
+  trust: number;
+  age_s: number;
+  position_m: Vec3;
+  separation_m: number;
+}
+export interface FleetSeat { vehicle: string; seat: number; is_near: boolean; sees: ArrayLike<number> }
+export interface FleetDivision {
+  header: Header;
+  vehicle: string;
+  is_alone: boolean;
+  seat: number;
+  is_near: boolean;
+  bearing_rad: number;
+  distance_m: number;
+  seats: FleetSeat[];
+  intentions: { name: string; probability: number }[];
+  union_visibility: number;
+  separation_m: number;
+  peers: FleetPeer[];
+}
+
 export interface CompressedImage { header: Header; format: string; data: Uint8Array }
 export interface CameraInfo {
   header: Header;

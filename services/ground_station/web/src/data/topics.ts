@@ -14,6 +14,7 @@ const readings: Record<string, Reading> = {
   "plan/trajectory": "newest",
   "target/search": "newest",
   "target/choice": "newest",
+  "fleet/division": "newest",
   "camera/ground/image/compressed": "newest",
   "camera/ground/camera_info": "newest",
   "camera/color/camera_info": "slow",
@@ -44,7 +45,7 @@ export function isOnDemand(topic: string): boolean {
 export interface TopicParts { vehicle: string; name: string }
 
 const shared = new Set(["tf", "tf_static", "diagnostics", "clock", "station/status",
-  "ros_discovery_info"]);
+  "ros_discovery_info", "fleet/member"]);
 
 /** "/uav1/target/state" → uav1, target/state. PX4's topics keep their namespace as the vehicle. */
 export function partsOf(topic: string): TopicParts {

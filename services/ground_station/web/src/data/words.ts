@@ -19,6 +19,7 @@ const result = ["none", "accepted", "refused: too late", "refused: repeated",
 const command = ["start", "hold", "resume", "return", "land", "stop", "take control",
   "give control back", "take off", "set bounds", "follow a person", "set the framing"];
 const choice = ["nobody is followed yet", "following", "in doubt", "searching", "lost"];
+const trust = ["itself", "believed", "aligned", "not aligned", "a liar"];
 const level = ["ok", "warning", "error", "stale"];
 const battery = ["ok", "low", "critical", "emergency", "failed"];
 
@@ -81,7 +82,7 @@ const from = (words: string[]) => (index: number): string => t(words[index] ?? s
 
 /** All of them, for whoever translates. */
 export const allWords = [track, prediction, plan, search, mode, service, phase, result, command,
-  choice, level, battery, planReason, gateReason, missionEnd].flat().filter((word) => word !== "");
+  choice, trust, level, battery, planReason, gateReason, missionEnd].flat().filter((word) => word !== "");
 
 export const trackWord = from(track);
 export const predictionWord = from(prediction);
@@ -93,6 +94,7 @@ export const phaseWord = from(phase);
 export const resultWord = from(result);
 export const commandWord = from(command);
 export const choiceWord = from(choice);
+export const trustWord = from(trust);
 export const levelWord = from(level);
 export const batteryWord = from(battery);
 export const explainPlan = from(planReason);
@@ -109,6 +111,7 @@ export const boundsCommand = 9;
 export const Result = { accepted: 1, pending: 10, acceptedUnwritten: 11 } as const;
 export const personKind = 0;
 export const Choice = { waiting: 0, following: 1, doubtful: 2, searching: 3, lost: 4 } as const;
+export const Trust = { unaligned: 3, liar: 4 } as const;
 export const GateReason = { none: 0, mission: 9, planHolds: 4 } as const;
 
 /** Reasons of the gate say themselves that they refuse. */

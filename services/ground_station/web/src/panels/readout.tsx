@@ -12,6 +12,7 @@ import { colorOfRgb, spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
 import { Aged } from "./badge.tsx";
+import { FleetRow } from "./fleet.tsx";
 
 /** Why the autopilot would refuse offboard mode, which the gate adds to its text. */
 function hindranceOf(safety: SafetyState): string {
@@ -80,6 +81,7 @@ export function Readout({ session }: { session: Session }) {
         {safety && safety.message.reason > 0 ? `: ${explainGate(safety.message.reason)}` : ""}
         {safety && hindranceOf(safety.message) ? ` (${hindranceOf(safety.message)})` : ""}
       </Aged></dd>
+      <FleetRow session={session} />
     </dl>
   );
 }

@@ -2,7 +2,7 @@
 // Of each message what the scene draws, in as few objects as can be: each of them, and above all
 // each small array of numbers, costs when it is handed to another thread.
 import type {
-  CameraModel, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, TargetIntention,
+  CameraModel, FleetDivision, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, TargetIntention,
   TargetPrediction, TargetSearch, Vec3,
 } from "../data/messages.ts";
 import { personKind } from "../data/words.ts";
@@ -43,6 +43,9 @@ export interface Search {
   viewpoint: Vec3 | null;
 }
 
+/** A seat of a fleet: from where one of its vehicles sees the person. */
+export interface Seat { vehicle: string; bearing_rad: number; near: boolean }
+
 /** Points are x, y, z triples. */
 export interface Sketches {
   "odometry": Pose;
@@ -53,6 +56,7 @@ export interface Sketches {
   "bodies": Body[];
   "plan/trajectory": Plan;
   "target/search": Search;
+  "fleet/division": Seat[];
   "map/points": Omit<PointCloud2, "header">;
   "map/local": Omit<LocalMap, "header">;
 }
@@ -60,7 +64,7 @@ export type Drawn = keyof Sketches;
 export type Seen = { [T in Drawn]?: Heard<Sketches[T]> };
 
 /** Of a vehicle that is not chosen, what of these is drawn for it is less. */
-export const moreOfChosen: readonly Drawn[] = ["target/intention", "plan/trajectory"];
+export const moreOfChosen: readonly Drawn[] = ["target/intention", "plan/trajectory", "fleet/division"];
 
 type Maker<T extends Drawn> = (message: Latest[T]["message"], chosen: boolean) => Sketches[T];
 
@@ -85,6 +89,13 @@ function searchOf(s: TargetSearch): Search {
   return { mode: s.mode, x: s.corner_m[0]!, y: s.corner_m[1]!, z: s.likeliest_m[2]!,
     cell_m: s.cell_m, columns: s.columns, belief: Uint8Array.from(s.belief),
     likeliest: s.likeliest_m, viewpoint: s.has_viewpoint ? s.viewpoint_m : null };
+}
+
+const sectors = 12; // of a ring of seats, the first one towards east
+
+function seatsOf({ seats }: FleetDivision): Seat[] {
+  return seats.filter(({ seat }) => seat >= 0).map(({ vehicle, seat, is_near }) =>
+    ({ vehicle, bearing_rad: ((seat % sectors) * 2 * Math.PI) / sectors, near: is_near }));
 }
 
 function planOf(plan: PlannedTrajectory, chosen: boolean): Plan {
@@ -113,6 +124,7 @@ const makers: { [T in Drawn]: Maker<T> } = {
   "bodies": bodiesOf,
   "plan/trajectory": planOf,
   "target/search": searchOf,
+  "fleet/division": seatsOf,
   "map/points": ({ height, width, fields, point_step, data }) =>
     ({ height, width, fields, point_step, data }),
   "map/local": ({ resolution_m, origin_m, size_x, size_y, size_z, cells }) =>

@@ -12,7 +12,7 @@ import { polytopeEdges } from "./corridor.ts";
 import type { SeenVehicle } from "./known.ts";
 import { Lost } from "./lost.ts";
 import { type Fan, FadingLine, Fans, type Point, Ribbons, Segments } from "./shapes.ts";
-import type { Path, Plan, Sketches } from "./sketch.ts";
+import type { Path, Plan, Seat, Sketches } from "./sketch.ts";
 import { thin } from "./thin.ts";
 import { voxelsOfMap, voxelsOfPoints } from "./voxels.ts";
 import { Walls } from "./walls.ts";
@@ -25,6 +25,8 @@ const corridorPeriod_s = 0.2;
 const maxPaths = 6;
 const ribbonPoints = 64;
 const reach_m = 2.5; // to which visible regions are drawn
+const ring_m = [2, 3.5] as const; // to which seats are drawn, near and behind
+const maxSeats = 16;
 
 function colorNamed(name: string): Color {
   let color = parsed.get(name);
@@ -50,6 +52,7 @@ export class VehicleView {
   private shown = { paths: false, plan: false, bodies: false };
   private readonly sectors = new Fans(4);
   private readonly regions = new Fans(64);
+  private readonly seats = new Fans(maxSeats);
   private readonly corridor = new Segments(1500, stopColor, 0.5);
   private readonly walls = new Walls();
   private drawn = new WeakSet<object>(); // messages whose shapes are up to date
@@ -61,7 +64,7 @@ export class VehicleView {
     const color = colorOf(index);
     this.body = new VehicleBody(color);
     this.trail = new FadingLine(900, color);
-    this.details.add(this.sectors.mesh, this.regions.mesh, this.corridor.mesh);
+    this.details.add(this.sectors.mesh, this.regions.mesh, this.seats.mesh, this.corridor.mesh);
     this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
       this.around.group, this.lost.group, this.ribbons.mesh, this.walls.mesh, this.details);
   }
@@ -152,6 +155,9 @@ export class VehicleView {
     const { "target/intention": intention, "plan/trajectory": plan, "target/state": target } =
       vehicle.latest;
     this.sectors.mesh.visible = fresh(intention) && target?.message.status !== Track.lost;
+    const division = vehicle.latest["fleet/division"];
+    this.seats.mesh.visible = fresh(division) && target !== undefined;
+    if (division && target && this.isNew(division)) this.drawSeats(division.message, target.message);
     this.regions.mesh.visible = fresh(plan);
     this.corridor.mesh.visible = fresh(plan);
     if (intention && this.isNew(intention)) this.drawSectors(intention.message);
@@ -164,6 +170,14 @@ export class VehicleView {
     })));
     this.corridor.set(plan.message.corridor.flatMap(({ faces }) =>
       polytopeEdges(faces.slice(0, 40))));
+  }
+
+  // Each in its vehicle's colour, round where the person is now.
+  private drawSeats(seats: readonly Seat[], target: Sketches["target/state"]): void {
+    this.seats.set(seats.slice(0, maxSeats).map(({ vehicle, bearing_rad, near }): Fan => ({
+      center: [target.x, target.y, 0.035], radius_m: ring_m[near ? 0 : 1], bisector_rad: bearing_rad,
+      half_rad: Math.PI / 12, color: colorOf(Number(/(\d+)$/.exec(vehicle)?.[1] ?? 1) - 1), alpha: 0.35,
+    })));
   }
 
   private drawSectors({ region_now, region_ahead }: Sketches["target/intention"]): void {

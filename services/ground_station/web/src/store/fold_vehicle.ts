@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
 import {
-  type BatteryStatus, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
+  type BatteryStatus, type FleetDivision, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
   type SafetyState, type ServiceHealth, type TargetIntention, type TargetState,
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
 import {
-  boundsCommand, GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track,
+  boundsCommand, GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track, Trust,
 } from "../data/words.ts";
 import { colorOfRgb } from "../ui/palette.ts";
 import { t } from "../ui/words.ts";
@@ -175,6 +175,17 @@ const foldBodies: Fold = (_state, vehicle, { message }) => {
   vehicle.looks.push(seconds(bodies.header.stamp), bodies);
 };
 
+const foldDivision: Fold = (state, vehicle, { message }) => {
+  const known = new Set(vehicle.latest["fleet/division"]?.message.peers.map((p) => p.vehicle));
+  for (const peer of (message as FleetDivision).peers) {
+    if (!known.delete(peer.vehicle))
+      note(state, vehicle.name, "info", t("{other} flies along", { other: peer.vehicle }));
+    hold(state, vehicle.name, `liar ${peer.vehicle}`, peer.trust === Trust.liar, "warning",
+      t("{other} sees the person where they are not", { other: peer.vehicle }));
+  }
+  for (const other of known) note(state, vehicle.name, "warning", t("{other} is heard no more", { other }));
+};
+
 const foldHealth: Fold = (state, vehicle, { message }) => {
   const health = message as ServiceHealth;
   const doubtful = words.saysSeveralPeople(health);
@@ -203,6 +214,7 @@ export const folders: Record<string, Fold> = {
   "bodies": foldBodies,
   "safety/state": foldSafety,
   "mission/command": foldCommand,
+  "fleet/division": foldDivision,
   "health": foldHealth,
   "fmu/out/battery_status": foldBattery,
 };

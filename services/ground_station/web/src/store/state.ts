@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that the page knows, at one moment of one flight or recording.
 import type {
-  BatteryStatus, CameraInfo, CompressedImage, DiagnosticStatus, LocalMap, MovingBodies, Odometry,
+  BatteryStatus, CameraInfo, CompressedImage, DiagnosticStatus, FleetDivision, LocalMap, MovingBodies, Odometry,
   PlannedTrajectory, PointCloud2, SafetyState, ServiceHealth, TargetChoice, TargetIntention,
   TargetObservation, TargetPrediction, TargetSearch, TargetState, TransformStamped,
 } from "../data/messages.ts";
@@ -28,6 +28,7 @@ export interface Latest {
   "plan/trajectory": Heard<PlannedTrajectory>;
   "target/search": Heard<TargetSearch>;
   "target/choice": Heard<TargetChoice>;
+  "fleet/division": Heard<FleetDivision>;
   "camera/ground/image/compressed": Heard<CompressedImage>;
   "camera/ground/camera_info": Heard<CameraInfo>;
   "camera/color/camera_info": Heard<CameraInfo>;
