@@ -25,8 +25,8 @@ struct Others {
   bool is_person(int i) const { return body(i).kind == BodyKind::kPerson && !body(i).followed; }
 };
 
-ChoiceCandidate candidate_of(const MovingBody& body, const PersonLook* look, double likeness) {
-  ChoiceCandidate c{body.id, likeness, body.position_enu_m, look ? look->stamp_s : -1.0};
+ChoiceCandidate candidate_of(const MovingBody& body, double difference) {
+  ChoiceCandidate c{body.id, likeness_of(difference), body.position_enu_m, difference};
   c.torso_enu_m.z() += kTorsoShare * body.height_m;
   return c;
 }
@@ -111,14 +111,14 @@ void ask(ChoiceState& s, double now_s, std::uint32_t followed_id, const ChoicePa
 // Who is followed, and those of whom they met who may be them; the followed one's difference.
 double list_candidates(const ChoiceState& s, const Others& others, const ChoiceParams& p,
                        const Appearance& own_wears, ChoiceResult& out) {
-  const double own = difference(own_wears, *s.wears);
-  add(out, candidate_of(others.body(0), others.look(0), likeness_of(own)));
+  const double own = lasting_difference(own_wears, *s.wears);
+  add(out, candidate_of(others.body(0), own));
   for (int i = 1; i < others.in.bodies.count; ++i) {
     const PersonLook* look = others.look(i);
     if (!others.is_person(i) || !was_met(s, others.body(i).id) || !look || !look->wears) continue;
-    const double theirs = difference(*look->wears, *s.wears);
+    const double theirs = lasting_difference(*look->wears, *s.wears);
     if (theirs <= p.alike && theirs <= own + p.tell_apart)
-      add(out, candidate_of(others.body(i), look, likeness_of(theirs)));
+      add(out, candidate_of(others.body(i), theirs));
   }
   return own;
 }
@@ -128,8 +128,7 @@ void tell_apart(ChoiceState& s, const Others& others, const ChoiceParams& p, Cho
   const std::uint32_t followed_id = others.body(0).id;
   const double own = list_candidates(s, others, p, *s.seen, out);
   const ChoiceCandidate& best = out.candidates[0];
-  if (best.person_id != followed_id &&
-      best.likeness > likeness_of(std::max(own - p.tell_apart, 0.0)))
+  if (best.person_id != followed_id && best.difference + p.tell_apart < own)
     return take_over(s, best.person_id, false, out);
   if (out.count > 1 || own > p.alike) return ask(s, others.in.now_s, followed_id, p, out);
   forget_meeting(s);
@@ -174,7 +173,7 @@ void follow(ChoiceState& s, const Others& others, double dt_s, const ChoiceParam
   const bool together = notice_meetings(s, others, p);
   if (!together) look_at_followed(s, look);
   if (look && look->wears && s.wears)
-    out.likeness = likeness_of(difference(*look->wears, *s.wears));
+    out.likeness = likeness_of(lasting_difference(*look->wears, *s.wears));
   const bool settled = !together && now_s - s.parted_s > p.settle_s;
   const bool doubted = s.wears && s.doubtful_looks >= p.doubtful_looks;
   if (settled && s.seen && doubted) return tell_apart(s, others, p, out);
@@ -219,17 +218,16 @@ void search(ChoiceState& s, const Others& others, const ChoiceParams& p, ChoiceR
     const PersonLook* look = others.look(i);
     if (!others.is_person(i) || !look || !look->wears || in.now_s - look->stamp_s > kLately_s)
       continue;
-    const double theirs = difference(*look->wears, *s.wears);
+    const double theirs = lasting_difference(*look->wears, *s.wears);
     if (!is_watched_long(s, others.body(i).id, in.now_s, p) || theirs > p.alike) continue;
-    add(out, candidate_of(others.body(i), look, likeness_of(theirs)));
+    add(out, candidate_of(others.body(i), theirs));
   }
   if (out.count == 0) {
     s.asked_s = -1.0;
     return;
   }
-  const double best = out.candidates[0].likeness;
   const bool alone =
-      out.count == 1 || out.candidates[1].likeness < best * likeness_of(p.tell_apart);
+      out.count == 1 || out.candidates[0].difference + p.tell_apart < out.candidates[1].difference;
   if (alone && s.asked_s < 0.0) return take_over(s, out.candidates[0].person_id, false, out);
   ask(s, in.now_s, 0, p, out);
 }

@@ -28,7 +28,7 @@ struct ChoiceCandidate {
   std::uint32_t person_id = 0;
   double likeness = 0.0;            ///< of the clothes to those of who was chosen, 0 to 1
   Vec3 torso_enu_m = Vec3::Zero();  ///< the middle of it
-  double seen_s = -1.0;             ///< stamp of the last image of them
+  double difference = 0.0;          ///< the same as lasting_difference() has it
 };
 
 /// What is remembered of the person, and of whom they were mixed up with. A plain value that the
@@ -102,7 +102,7 @@ struct ChoiceResult {
 /// and nothing is asked. Cost: some microseconds.
 ChoiceResult choose(ChoiceState& state, const ChoiceInput& input, const ChoiceParams& params);
 
-/// 1 for the same clothes, 0.5 where they differ by 0.24.
+/// 1 for no difference, 0.5 for one of 0.24.
 double likeness_of(double difference);
 
 }  // namespace foretrack

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/perception/appearance.hpp"
 
+#include <algorithm>
+
 #include "core/perception/torso_points.hpp"
 
 namespace foretrack {
@@ -11,27 +13,66 @@ constexpr double kSides = 0.15;  // of the torso, left out at each side
 constexpr double kDark = 12.0;   // so that the colour of black is not noise
 constexpr double kBrightness = 0.4;
 constexpr int kLeastSamples = kColorSteps * kColorSteps / 4;  // of a half
+constexpr int kAlongSteps = 16;                               // samples along a limb
+constexpr double kEnds = 0.15;                                // of a limb, left out
+constexpr double kSeen = 0.5;                                 // visibility of a joint
+enum LegJoint : int { kLeftKnee = 25, kRightKnee = 26, kLeftAnkle = 27, kRightAnkle = 28 };
+
+/// The mean of an image's pixels at some places.
+struct ColorMean {
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+
+  void add(const RgbImage& image, const Vec2& px) {
+    if (!(px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.width_px && px.y() < image.height_px))
+      return;
+    const std::uint8_t* rgb = image.pixel(static_cast<int>(px.x()), static_cast<int>(px.y()));
+    sum += Vec3(rgb[0], rgb[1], rgb[2]);
+    ++count;
+  }
+  Vec3 numbers() const {
+    const Vec3 mean = (sum / count).array() + kDark;
+    return {std::log(mean.x() / mean.y()), std::log(mean.z() / mean.y()),
+            kBrightness * std::log(mean.mean())};
+  }
+};
+
+// Along the middle of both limbs between these joints, without their ends.
+ColorMean mean_along(const RgbImage& image, const PersonPose& person,
+                     const std::array<std::array<int, 2>, 2>& limbs) {
+  ColorMean mean;
+  for (const auto& [from, to] : limbs) {
+    const Landmark &a = person.landmarks[from], &b = person.landmarks[to];
+    if (std::min(a.visibility, b.visibility) < kSeen) continue;
+    for (int k = 0; k < kAlongSteps; ++k) {
+      const double share = kEnds + (1.0 - 2.0 * kEnds) * (k + 0.5) / kAlongSteps;
+      mean.add(image, (1.0 - share) * a.image_px + share * b.image_px);
+    }
+  }
+  return mean;
+}
+
+// The numbers are left alone where too little of the legs is seen.
+void look_at_legs(const RgbImage& image, const PersonPose& person, Appearance& seen) {
+  const ColorMean thighs =
+      mean_along(image, person, {{{kLeftHip, kLeftKnee}, {kRightHip, kRightKnee}}});
+  const ColorMean shanks =
+      mean_along(image, person, {{{kLeftKnee, kLeftAnkle}, {kRightKnee, kRightAnkle}}});
+  seen.legs_seen = std::min(thighs.count, shanks.count) >= kAlongSteps / 2;
+  if (seen.legs_seen) seen.legs << thighs.numbers(), shanks.numbers();
+}
 
 }  // namespace
 
 std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose& person) {
-  std::array<Vec3, 2> sums{Vec3::Zero(), Vec3::Zero()};
-  std::array<int, 2> counts{};
+  std::array<ColorMean, 2> halves;
   visit_torso(person.landmarks, kColorSteps, kSides, [&](const Vec2& px, int row) {
-    if (!(px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.width_px && px.y() < image.height_px))
-      return;
-    const std::uint8_t* rgb = image.pixel(static_cast<int>(px.x()), static_cast<int>(px.y()));
-    const int half = 2 * row / kColorSteps;
-    sums[half] += Vec3(rgb[0], rgb[1], rgb[2]);
-    ++counts[half];
+    halves[static_cast<std::size_t>(2 * row / kColorSteps)].add(image, px);
   });
+  if (std::min(halves[0].count, halves[1].count) < kLeastSamples) return std::nullopt;
   Appearance seen;
-  for (int half = 0; half < 2; ++half) {
-    if (counts[half] < kLeastSamples) return std::nullopt;
-    const Vec3 mean = (sums[half] / counts[half]).array() + kDark;
-    seen.colors.segment<3>(3 * half) << std::log(mean.x() / mean.y()),
-        std::log(mean.z() / mean.y()), kBrightness * std::log(mean.mean());
-  }
+  seen.colors << halves[0].numbers(), halves[1].numbers();
+  look_at_legs(image, person, seen);
   return seen;
 }
 

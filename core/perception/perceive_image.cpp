@@ -15,7 +15,8 @@ constexpr double kClearly = 9.0;          // so much more unlike the other one, 
 constexpr double kSurprising = 3.5;       // standard deviations in one image: it is said
 constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
 constexpr std::size_t kMostCompared = 4;  // the same, where nobody knows where the person is
-constexpr double kTellApart = 0.12;       // by so much another one's clothes must differ more
+constexpr double kSurely = 0.2;     // where nobody knows where the person is, it is surely them
+constexpr double kTellApart = 0.2;  // by so much another one's clothes must differ more
 
 // Where the chosen person may be; none: anybody may be chosen.
 std::optional<ExpectedPlace> place_of_chosen(const PersonMemory& chosen, double stamp_s,
@@ -52,13 +53,14 @@ Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose&
   const PersonMemory &chosen = state.chosen, &other = state.other;
   Judgement j;
   j.seen = appearance_of(image, pose);
-  if (j.seen && chosen.wears) j.difference = difference(*j.seen, *chosen.wears);
   if (!chosen.known()) {
-    j.doubtful = j.difference > params.clothes_gate;
+    if (j.seen && chosen.wears) j.difference = lasting_difference(*j.seen, *chosen.wears);
+    j.doubtful = j.difference > kSurely;
     j.theirs = !j.doubtful;
     j.unlike = j.difference;
     return j;
   }
+  if (j.seen && chosen.wears) j.difference = difference(*j.seen, *chosen.wears);
   j.unlike = unlikeness(chosen, state.place, stamp_s, pose, j.seen);
   const auto within = [&](double gate) { return j.unlike <= gate * gate; };
   j.theirs = j.difference <= params.clothes_gate;

@@ -37,9 +37,9 @@ enum class FirstChoice : std::uint8_t {
 
 /// Somebody else in one image.
 struct OtherPerson {
-  ImageRegion region;                   ///< around the hips, 1.25 times as large as the body
-  std::optional<PersonPose> pose = {};  ///< none: only the detector saw them
-  std::optional<Appearance> wears;      ///< none: not seen
+  ImageRegion region;                    ///< around the hips, 1.25 times as large as the body
+  std::optional<PersonPose> pose = {};   ///< none: only the detector saw them
+  std::optional<Appearance> wears = {};  ///< none: not seen
 };
 
 /// What one image gave.

@@ -62,7 +62,7 @@ Converted<ChoiceReport> from_idl(const foretrack_msgs::msg::TargetChoice& in) {
   choice.waits_s = in.waits_s();
   for (const auto& candidate : in.candidates())
     choice.candidates[choice.count++] = {candidate.person_id(), candidate.likeness(),
-                                         to_vec3(candidate.position_m()), -1.0};
+                                         to_vec3(candidate.position_m()), 0.0};
   return checks.result(std::move(out));
 }
 

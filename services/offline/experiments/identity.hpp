@@ -33,8 +33,8 @@ struct IdentityCell {
 };
 
 struct IdentityRequest {
-  int events = 600;
-  std::uint64_t seed = 41001;
+  int events = 516;
+  std::uint64_t seed = 43001;
   ChoiceParams params;
   std::function<bool(int done)> goes_on = {};  ///< false: no more events
 };

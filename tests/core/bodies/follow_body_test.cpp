@@ -7,7 +7,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kHeight_m = 1.75;
-const BodyParams kParams;
+const BodyParams kBodyParams;
 
 TargetState ada() {
   TargetState target;
@@ -50,7 +50,7 @@ const BodyTrack* track(const BodiesState& state, std::uint32_t id) {
 
 TEST(FollowBody, GoesOnFromTheTracksMotion) {
   BodiesState state = street();
-  const auto bob = follow_body(state, 2, ada(), Numbers::kStay, kHeight_m, kParams);
+  const auto bob = follow_body(state, 2, ada(), Numbers::kStay, kHeight_m, kBodyParams);
   ASSERT_TRUE(bob);
   EXPECT_EQ(bob->status, TrackStatus::kTracking);
   EXPECT_LT((bob->position_enu_m - Vec3(5.0, 1.0, 0.3 + kTorsoShare * kHeight_m)).norm(), 1e-9);
@@ -63,7 +63,7 @@ TEST(FollowBody, GoesOnFromTheTracksMotion) {
 
 TEST(FollowBody, WhoWasFollowedIsOneOfTheOthersAndEverybodyKeepsTheirNumber) {
   BodiesState state = street();
-  follow_body(state, 2, ada(), Numbers::kStay, kHeight_m, kParams);
+  follow_body(state, 2, ada(), Numbers::kStay, kHeight_m, kBodyParams);
   EXPECT_EQ(state.followed_id, 2u);
   EXPECT_EQ(track(state, 2), nullptr);
   const BodyTrack* left = track(state, 1);
@@ -72,12 +72,12 @@ TEST(FollowBody, WhoWasFollowedIsOneOfTheOthersAndEverybodyKeepsTheirNumber) {
   EXPECT_EQ(left->velocity_m_s(), Vec2(1.0, 0.0));
   EXPECT_NEAR(left->foot_m, 0.0, 1e-9);
   EXPECT_EQ(left->kind, BodyKind::kPerson);
-  EXPECT_FALSE(is_over(*left, 11.0, kParams)) << "they are believed for as long as anybody";
+  EXPECT_FALSE(is_over(*left, 11.0, kBodyParams)) << "they are believed for as long as anybody";
 }
 
 TEST(FollowBody, WhoIsFoundAgainHasTheirNumberBack) {
   BodiesState state = street();
-  follow_body(state, 2, ada(), Numbers::kSwap, kHeight_m, kParams);
+  follow_body(state, 2, ada(), Numbers::kSwap, kHeight_m, kBodyParams);
   EXPECT_EQ(state.followed_id, 1u);
   ASSERT_NE(track(state, 2), nullptr);
   EXPECT_EQ(track(state, 2)->position_m(), Vec2(2.0, 0.0));
@@ -87,7 +87,7 @@ TEST(FollowBody, WhoIsLostLeavesNoTrack) {
   BodiesState state = street();
   TargetState lost = ada();
   lost.status = TrackStatus::kLost;
-  ASSERT_TRUE(follow_body(state, 2, lost, Numbers::kSwap, kHeight_m, kParams));
+  ASSERT_TRUE(follow_body(state, 2, lost, Numbers::kSwap, kHeight_m, kBodyParams));
   EXPECT_EQ(state.count, 1);
   EXPECT_EQ(state.followed_id, 1u);
 }
@@ -95,14 +95,14 @@ TEST(FollowBody, WhoIsLostLeavesNoTrack) {
 TEST(FollowBody, NobodyOfThatNumberChangesNothing) {
   BodiesState state = street();
   for (const std::uint32_t id : {0u, 9u})
-    EXPECT_FALSE(follow_body(state, id, ada(), Numbers::kStay, kHeight_m, kParams));
+    EXPECT_FALSE(follow_body(state, id, ada(), Numbers::kStay, kHeight_m, kBodyParams));
   EXPECT_EQ(state.followed_id, 1u);
   EXPECT_EQ(state.count, 2);
 }
 
 TEST(FollowBody, NobodyIsFollowedAndTheyAreStillThere) {
   BodiesState state = street();
-  follow_no_body(state, ada(), kHeight_m, kParams);
+  follow_no_body(state, ada(), kHeight_m, kBodyParams);
   EXPECT_EQ(state.followed_id, 0u);
   EXPECT_FALSE(state.followed_look.known());
   ASSERT_NE(track(state, 1), nullptr);

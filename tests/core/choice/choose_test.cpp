@@ -302,6 +302,7 @@ TEST(Choose, ASimulationThatBeginsAnewIsForgotten) {
   street.order = 0;
   street.frame();
   street.now_s = 0.0;
+  street.person(kAda).followed = true;
   EXPECT_EQ(street.frame().status, ChoiceStatus::kFollowing);
 }
 

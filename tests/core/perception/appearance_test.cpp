@@ -69,5 +69,23 @@ TEST(Appearance, IsLearntByTheShareOfWhatIsNew) {
   EXPECT_NEAR(difference(known, now), 0.0, 1e-12);
 }
 
+TEST(Appearance, LegsAreLookedAtWhereTheyAreSeen) {
+  PersonPose pose = pose_at({100, 60}, 100.0);
+  const auto image = two_colours(200, 200, 80, {200, 40, 40}, {40, 40, 200});
+  EXPECT_FALSE(appearance_of(image, pose)->legs_seen) << "their joints are not visible";
+  const auto put = [&](int joint, double x, double y) {
+    pose.landmarks[static_cast<std::size_t>(joint)].image_px = {x, y};
+    pose.landmarks[static_cast<std::size_t>(joint)].visibility = 1.0;
+  };
+  put(kLeftHip, 110, 90), put(kRightHip, 90, 90);
+  put(25, 110, 130), put(26, 90, 130);
+  put(27, 110, 170), put(28, 90, 170);
+  const auto seen = appearance_of(image, pose);
+  ASSERT_TRUE(seen && seen->legs_seen);
+  EXPECT_LT(seen->legs[0], 0.1);
+  EXPECT_GT(seen->legs[1], 1.0) << "they are blue";
+  EXPECT_EQ(seen->legs.head<3>(), seen->legs.tail<3>());
+}
+
 }  // namespace
 }  // namespace foretrack

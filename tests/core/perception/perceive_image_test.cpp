@@ -124,14 +124,63 @@ TEST_F(PerceiveImage, TheExpectedPlaceDecidesAndItsGateHolds) {
   EXPECT_FALSE(look(1.0, ExpectedPlace{{200.0, 200.0}, 60.0, kBody_px}).found());
 }
 
-TEST_F(PerceiveImage, WhoWearsSomethingElseIsNotTakenUntilTheChosenOneIsForgotten) {
+TEST_F(PerceiveImage, WhoWearsSomethingElseIsNotTakenHoweverLate) {
   fake_.see({0.4, 0.5}, 0.3, 3.0);
   ASSERT_TRUE(look(0.0).found());
   for (std::size_t k = 0; k < image_.rgb.size(); k += 3) image_.rgb[k] = 250;  // red, not grey
   const auto other = look(0.03);
   EXPECT_EQ(other.status, PoseStatus::kNobody);
   EXPECT_GT(other.difference, params_.clothes_gate);
-  EXPECT_TRUE(look(0.1 + params_.choice_memory_s).found());
+  EXPECT_FALSE(look(0.1 + params_.choice_memory_s).found());
+  ASSERT_EQ(state_.passed_over.size(), 1u) << "but somebody is there";
+  EXPECT_TRUE(state_.passed_over[0].wears);
+}
+
+TEST_F(PerceiveImage, OfTwoWhoWearTheSameNeitherIsTakenOnceTheChosenOneIsLost) {
+  fake_.see({0.3, 0.5}, 0.2, 3.0);
+  ASSERT_TRUE(look(0.0).found());
+  state_.chosen.region.reset();
+  fake_.see({0.7, 0.5}, 0.2, 2.0);
+  EXPECT_FALSE(look(1.0 + params_.choice_memory_s).found());
+  EXPECT_EQ(state_.passed_over.size(), 2u);
+}
+
+TEST_F(PerceiveImage, TheFirstOneIsChosenAsTheCallerSays) {
+  fake_.see({0.15, 0.5}, 0.1, 9.0);  // the most certain one,
+  fake_.see({0.5, 0.5}, 0.15, 3.0);  // who is in the middle,
+  fake_.see({0.85, 0.5}, 0.3, 2.0);  // and the nearest
+  const std::pair<FirstChoice, double> cases[] = {
+      {FirstChoice::kCertain, 0.15}, {FirstChoice::kMiddle, 0.5}, {FirstChoice::kNearest, 0.85}};
+  for (const auto& [first, x] : cases) {
+    state_ = {};
+    state_.first = first;
+    const auto result = look(1.0);
+    ASSERT_TRUE(result.found());
+    EXPECT_NEAR(result.person.region.centre_px.x(), x * image_.width_px, 1.0);
+    EXPECT_EQ(state_.passed_over.size(), 2u);
+  }
+}
+
+TEST_F(PerceiveImage, NobodyIsFollowedAndEverybodyIsLookedAt) {
+  fake_.see({0.3, 0.5}, 0.2, 3.0);
+  ASSERT_TRUE(look(0.0).found());
+  state_.follows = false;
+  EXPECT_FALSE(look(0.5).found());
+  EXPECT_EQ(state_.passed_over.size(), 1u);
+  EXPECT_FALSE(state_.chosen.known());
+  EXPECT_EQ(look(0.5 + 0.5 * params_.watch_period_s).status, PoseStatus::kNotLooked);
+}
+
+TEST_F(PerceiveImage, AnotherOneIsFollowedWhereTheFilterExpectsThem) {
+  fake_.see({0.2, 0.5}, 0.2, 5.0);
+  const auto first = look(0.0);
+  ASSERT_TRUE(first.found());
+  fake_.see({0.8, 0.5}, 0.2, 1.0);
+  follow_other(state_, first.wears);
+  const auto there = look(0.1, ExpectedPlace{{310.0, 200.0}, 60.0, 200.0});
+  ASSERT_TRUE(there.found());
+  EXPECT_NEAR(there.person.region.centre_px.x(), 320.0, 1.0);
+  EXPECT_TRUE(state_.other.known()) << "who was followed is told from them";
 }
 
 TEST_F(PerceiveImage, ADarkerLightIsNoOtherPerson) {

@@ -26,8 +26,9 @@ struct Framed {
       const FramingState before = state;
       framed = frame_target(state, input, params);
       if (before.active)
-        fastest_m_s = std::max({fastest_m_s, std::abs(state.distance_m - before.distance_m) / kPlan_s,
-                                std::abs(state.height_m - before.height_m) / kPlan_s});
+        fastest_m_s =
+            std::max({fastest_m_s, std::abs(state.distance_m - before.distance_m) / kPlan_s,
+                      std::abs(state.height_m - before.height_m) / kPlan_s});
       if (state.turns)
         input.vehicle.position_enu_m.head<2>() =
             state.distance_m * direction_of(state.bearing.at(input.now_s));

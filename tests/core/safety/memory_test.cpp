@@ -299,10 +299,10 @@ TEST(Memory, AFailedWriteUndoesWhomToFollowAndTheFraming) {
   loop.write();
   loop.tick();
   loop.follow();
-  loop.follow();  // that is none
+  loop.set({.order = MissionOrder::kFollow});  // nobody
   loop.frame(5.0);
   loop.frame(6.0);
-  EXPECT_EQ(loop.state.mission.person, (PersonChoice{true, 7}));
+  EXPECT_EQ(loop.state.mission.person, (PersonChoice{true, 0}));
   loop.fail();
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(loop.tick().command_result, MissionResult::kRefusedUnwritten) << i;

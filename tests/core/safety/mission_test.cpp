@@ -310,10 +310,10 @@ TEST(Mission, TakesBoundsFromTheLeasesHolderAlone) {
 
 TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
   for (const auto order : kAll)
-    EXPECT_EQ(needs_memory(order),
-              order == MissionOrder::kStart || order == MissionOrder::kResume ||
-                  order == MissionOrder::kTakeOff || order == MissionOrder::kLease ||
-                  is_setting(order))
+    EXPECT_EQ(needs_memory(order), order == MissionOrder::kStart ||
+                                       order == MissionOrder::kResume ||
+                                       order == MissionOrder::kTakeOff ||
+                                       order == MissionOrder::kLease || is_setting(order))
         << to_string(order);
   EXPECT_FALSE(needs_memory(MissionOrder::kStop));
 }

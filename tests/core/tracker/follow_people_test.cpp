@@ -6,7 +6,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kFrame_s = 0.03;
+constexpr double kLook_s = 0.03;
 constexpr double kHeight_m = 1.75;
 
 /// Ada is observed, as a position; Bob is sighted by a detector. Both walk along x.
@@ -31,7 +31,7 @@ struct Walkers {
   TargetState state() const { return coast(target, now_s, perception); }
 
   void frame(std::optional<std::uint32_t> order = {}) {
-    now_s += kFrame_s;
+    now_s += kLook_s;
     TargetObservation ada;
     ada.kind = TargetObservation::Kind::kPosition;
     ada.stamp_s = now_s;

@@ -96,30 +96,45 @@ TEST(Orders, AFramingThatIsNotSafeChangesNothing) {
             plain.flight.rows.back().vehicle.position_enu_m);
 }
 
-TEST(Orders, AnotherPersonIsFollowedWithoutAJumpAndBothAreKeptClearOf) {
-  Scenario scenario = long_walk({{8.0, 2, {}}, {16.0, 1, {}}}, 24.0);
+// Bob walks beside the person, 3 m ahead and to their left; his number is 2.
+Scenario walk_of_two(std::vector<OperatorOrder> orders, double duration_s) {
+  Scenario scenario = long_walk(std::move(orders), duration_s);
   scenario.people_all_round = true;
   BystanderSpec bob;
   bob.route_m = {{-27, 3}, {30, 3}};
   bob.speed_m_s = 1.0;
   scenario.bystanders = {bob};
-  const Flown flown = fly_with(scenario);
-  expect_within_limits(flown);
-  double least_gap_m = 1e9;
-  for (const FlightRow& row : flown.flight.rows)
+  return scenario;
+}
+
+double least_gap_m(const FlightResult& flight) {
+  double least_m = 1e9;
+  for (const FlightRow& row : flight.rows)
     for (const PersonTruth& who : {row.followed(), row.bystanders[0]})
-      least_gap_m = std::min(
-          least_gap_m, gap_m(row.vehicle.position_enu_m, 0.25, who.foot_enu_m, 0.25, who.height_m));
-  EXPECT_GT(least_gap_m, 0.5);
-  const auto from_bob = [&](std::size_t row) {
-    const FlightRow& r = flown.flight.rows[row];
-    return distance_xy(r.vehicle.position_enu_m, r.bystanders[0].foot_enu_m);
-  };
-  EXPECT_LT(from_bob(1590), 3.0);
-  EXPECT_LT(distance_xy(flown.flight.rows[1590].estimate.position_enu_m,
-                        flown.flight.rows[1590].bystanders[0].foot_enu_m),
-            0.5);
-  EXPECT_LT(flown.flight.rows.back().distance_m(), 3.0) << "and back";
+      least_m = std::min(
+          least_m, gap_m(row.vehicle.position_enu_m, 0.25, who.foot_enu_m, 0.25, who.height_m));
+  return least_m;
+}
+
+TEST(Orders, AnotherPersonIsFollowedWithoutAJumpAndBothAreKeptClearOf) {
+  const Flown flown = fly_with(walk_of_two({{8.0, 2, {}}}, 20.0));
+  expect_within_limits(flown);
+  EXPECT_GT(least_gap_m(flown.flight), 0.5);
+  const FlightRow& end = flown.flight.rows.back();
+  EXPECT_LT(distance_xy(end.vehicle.position_enu_m, end.bystanders[0].foot_enu_m), 3.0);
+  EXPECT_LT(distance_xy(end.estimate.position_enu_m, end.bystanders[0].foot_enu_m), 0.5);
+}
+
+TEST(Orders, WhoWasFollowedBeforeIsFollowedAgainWhileTheyAreThere) {
+  const Flown flown = fly_with(walk_of_two({{8.0, 2, {}}, {9.0, 1, {}}}, 16.0));
+  expect_within_limits(flown);
+  EXPECT_GT(least_gap_m(flown.flight), 0.5);
+  const FlightRow& between = flown.flight.rows[890];
+  EXPECT_LT(distance_xy(between.estimate.position_enu_m, between.bystanders[0].foot_enu_m), 0.7);
+  EXPECT_LT(flown.flight.rows.back().distance_m(), 2.6);
+  EXPECT_LT(distance_xy(flown.flight.rows.back().estimate.position_enu_m,
+                        flown.flight.rows.back().target.position_enu_m),
+            0.3);
 }
 
 TEST(Orders, NobodyIsFollowedTheVehicleStands) {
