@@ -77,7 +77,7 @@ TEST_F(GroundStreamTest, PicturesKeepTheirImagesStampAndFrameAndComeAtTheRateTha
         return pictures == 21;
       },
       [&] { feed(); }));
-  EXPECT_NEAR(last_s - first_s, 2.0, 0.5);
+  EXPECT_GT(last_s - first_s, 1.8);  // no faster; a busy machine may be slower
   EXPECT_EQ(picture_.header().frame_id(), "eye");
   EXPECT_EQ(picture_.format(), "jpeg");
   ASSERT_TRUE(eventually([&] {
