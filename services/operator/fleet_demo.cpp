@@ -145,7 +145,7 @@ int FleetDemo::report() const {
   bool good = flight.metrics.contacts == 0;
   for (std::size_t i = 0; i < flight.names.size(); ++i) {
     const bool flew = log_.vehicles()[i]->log->path_length_m() > 0.5;
-    if (!flew) fmt::print("{} did not fly: foretrack doctor --vehicle {0}\n", flight.names[i]);
+    if (!flew) fmt::print("{0} did not fly: foretrack doctor --vehicle {0}\n", flight.names[i]);
     good = good && flew && flight.vehicles[i].metrics.collisions == 0;
   }
   return good ? 0 : 1;

@@ -14,6 +14,7 @@ namespace {
 constexpr double kAlive_s = 1.0;   // the gate speaks twenty times a second
 constexpr double kBehind_s = 0.3;  // rows are made so long after: all truth has come by then
 constexpr double kSame_s = 1e-6;
+constexpr double kWalks_m_s = 0.1;
 
 NodeOptions named(NodeOptions options, const std::string& vehicle) {
   options.names.vehicle = vehicle;
@@ -95,7 +96,9 @@ void FleetLog::add_row(double time_s) {
   for (const auto& vehicle : vehicles_) {
     const FlightRow* one = row_at(*vehicle->log, time_s);
     row.members.push_back(one ? member_at(*vehicle, time_s, *one) : FleetRowMember{.there = false});
-    if (one) row.person_enu_m = one->target.position_enu_m;
+    if (!one) continue;
+    row.person_enu_m = one->target.position_enu_m;
+    if (one->target.velocity_enu_m_s.norm() > kWalks_m_s) set_off_s_ = std::min(set_off_s_, time_s);
   }
   for (std::size_t i = 0; i < row.members.size(); ++i) {
     if (!row.members[i].there) continue;
@@ -111,7 +114,8 @@ void FleetLog::add_row(double time_s) {
 // Who flies on without anybody on board sees nobody, and is still in the others' way.
 FleetRowMember FleetLog::member_at(const HeardVehicle& vehicle, double time_s,
                                    const FlightRow& row) const {
-  const bool blind = time_s >= failure_s(scenario_, vehicle.name, FleetFailureKind::kBlind);
+  const bool blind =
+      time_s - set_off_s_ >= failure_s(scenario_, vehicle.name, FleetFailureKind::kBlind);
   return {.there = true,
           .position_enu_m = row.vehicle.position_enu_m,
           .sees = row.sight.visible() && !blind && vehicle.is_alive(time_s),

@@ -55,6 +55,7 @@ class FleetLog {
   Reader<topics::FleetMember> members_;
   double told_bytes_ = 0.0;  // since the last row
   double first_s_ = -1.0, next_s_ = -1.0;
+  double set_off_s_ = 1e18;  // when the person began to walk: failures count from then
   std::vector<FleetRow> rows_;
 };
 

@@ -309,17 +309,23 @@ TEST_F(LoadScenario, RandomStopsComeFromTheSeedWithinTheirRanges) {
   EXPECT_THAT(error_of("target: {random_stops: {every_s: [6, 4]}}\n"), HasSubstr("every_s"));
 }
 
+Scenario with_vehicles(const char* name, int count) {
+  ScenarioOverrides overrides;
+  overrides.vehicles = count;
+  return load_scenario(name, overrides);
+}
+
 TEST(LoadScenario, TakesSoManyVehiclesAsTheCommandLineSays) {
   const auto names = [](int count) {
+    const Scenario fleet = with_vehicles("fleet_blocks", count);
     std::vector<std::string> out;
-    for (const FleetVehicle& v : load_scenario("fleet_blocks", {.vehicles = count}).vehicles)
-      out.push_back(v.name);
+    for (const FleetVehicle& vehicle : fleet.vehicles) out.push_back(vehicle.name);
     return out;
   };
   EXPECT_EQ(names(2), (std::vector<std::string>{"uav1", "uav2"}));
   EXPECT_EQ(names(4), (std::vector<std::string>{"uav1", "uav2", "uav3", "uav4"}));
-  EXPECT_EQ(load_scenario("open_field", {.vehicles = 2}).vehicles.size(), 2u);
-  EXPECT_THROW(load_scenario("open_field", {.vehicles = 17}), std::invalid_argument);
+  EXPECT_EQ(with_vehicles("open_field", 2).vehicles.size(), 2u);
+  EXPECT_THROW(with_vehicles("open_field", 17), std::invalid_argument);
 }
 
 }  // namespace
