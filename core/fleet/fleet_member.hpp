@@ -38,8 +38,8 @@ struct SeatBid {
   bool possible() const { return way_s < kCannot_s; }
 };
 
-/// The bid as a message carries it: in tenths of a second, and shares in 255ths. Who tells it counts
-/// with it as well, so that all divide alike.
+/// The bid as a message carries it: in tenths of a second, and shares in 255ths. Who tells it
+/// counts with it as well, so that all divide alike.
 SeatBid as_told(const SeatBid& bid);
 
 /// Somebody who can be followed, as one vehicle knows them.

@@ -5,8 +5,7 @@ namespace foretrack {
 
 const TargetState& seen_by_any(const TargetState& own, const TargetState& told, double now_s) {
   const bool helps = own.status != TrackStatus::kTracking &&
-                     told.status == TrackStatus::kTracking &&
-                     now_s - told.stamp_s < kFleetStale_s;
+                     told.status == TrackStatus::kTracking && now_s - told.stamp_s < kFleetStale_s;
   return helps ? told : own;
 }
 

@@ -18,8 +18,8 @@ const TargetState& seen_by_any(const TargetState& own, const TargetState& told, 
 /// From where to look: as an operator orders; where nothing is ordered, from the seat.
 Framing framing_of(const Framing& ordered, const SeatPlace& place, const FleetParams& params);
 
-/// Bodies that are tracked and other vehicles, unless those are stale: all that planner and gate keep
-/// clear of. Stamped as the tracked ones.
+/// Bodies that are tracked and other vehicles, unless those are stale: all that planner and gate
+/// keep clear of. Stamped as the tracked ones.
 MovingBodies all_of(const MovingBodies& around, const MovingBodies& peers, double now_s);
 
 }  // namespace foretrack

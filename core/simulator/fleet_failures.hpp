@@ -8,8 +8,7 @@ namespace foretrack {
 
 /// Of one kind, in the scenario's time. Never: after all times; who need not join is there from
 /// before the begin.
-inline double failure_s(const Scenario& scenario, std::string_view vehicle,
-                        FleetFailureKind kind) {
+inline double failure_s(const Scenario& scenario, std::string_view vehicle, FleetFailureKind kind) {
   for (const FleetFailure& failure : scenario.failures)
     if (failure.vehicle == vehicle && failure.kind == kind) return failure.at_s;
   return kind == FleetFailureKind::kJoins ? -1.0 : 1e18;

@@ -16,22 +16,21 @@ void take_part(TrackerState& state, const TrackerInput& input, const TrackerPara
     hear(state.fleet, message, input.now_s, params.fleet);
   if (input.now_s < state.next_fleet_s) return;
   state.next_fleet_s = input.now_s + kFleetPeriod_s - 1e-6;
-  state.coordinated =
-      coordinate(state.fleet,
-                 {.now_s = input.now_s,
-                  .vehicle = input.fleet->vehicle,
-                  .frame = input.fleet->frame,
-                  .state = input.vehicle,
-                  .radius_m = params.planning.body.hull_radius_m,
-                  .battery = input.fleet->battery,
-                  .flies = is_active(state.gate.mission.phase),
-                  .gap_min_m = params.planning.body.gap_min_m,
-                  .target = out.target,
-                  .prediction = &state.prediction.result.prediction,
-                  .intention = &state.prediction.result.intention,
-                  .plan = &state.planning.flown_result().trajectory,
-                  .map = out.map},
-                 params.fleet);
+  state.coordinated = coordinate(state.fleet,
+                                 {.now_s = input.now_s,
+                                  .vehicle = input.fleet->vehicle,
+                                  .frame = input.fleet->frame,
+                                  .state = input.vehicle,
+                                  .radius_m = params.planning.body.hull_radius_m,
+                                  .battery = input.fleet->battery,
+                                  .flies = is_active(state.gate.mission.phase),
+                                  .gap_min_m = params.planning.body.gap_min_m,
+                                  .target = out.target,
+                                  .prediction = &state.prediction.result.prediction,
+                                  .intention = &state.prediction.result.intention,
+                                  .plan = &state.planning.flown_result().trajectory,
+                                  .map = out.map},
+                                 params.fleet);
   out.fleet = &state.coordinated;
 }
 
@@ -108,20 +107,20 @@ TrackerOutput step(TrackerState& state, const TrackerInput& input, const Tracker
   const PlannedTrajectory* fresh = nullptr;
   if (plans) {
     state.next_plan_s = input.now_s + params.planning.horizon.plan_period_s - 1e-6;
-    out.plan = &plan(state.planning,
-                     {.now_s = input.now_s,
-                      .vehicle = input.vehicle,
-                      .target = out.target,
-                      .intention = &out.prediction->intention,
-                      .prediction = &out.prediction->prediction,
-                      .map = out.map,
-                      .bodies = kept_clear,
-                      .flies_plans = state.gate.flies_plans,
-                      .framing = framing_of(state.gate.mission.framing, state.coordinated.place,
-                                            params.fleet),
-                      .waits = out.choice.status == ChoiceStatus::kWaiting ||
-                               out.choice.status == ChoiceStatus::kDoubtful},
-                     params.planning);
+    out.plan = &plan(
+        state.planning,
+        {.now_s = input.now_s,
+         .vehicle = input.vehicle,
+         .target = out.target,
+         .intention = &out.prediction->intention,
+         .prediction = &out.prediction->prediction,
+         .map = out.map,
+         .bodies = kept_clear,
+         .flies_plans = state.gate.flies_plans,
+         .framing = framing_of(state.gate.mission.framing, state.coordinated.place, params.fleet),
+         .waits = out.choice.status == ChoiceStatus::kWaiting ||
+                  out.choice.status == ChoiceStatus::kDoubtful},
+        params.planning);
     out.planned = true;
     fresh = &out.plan->trajectory;
   }

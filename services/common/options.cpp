@@ -110,9 +110,10 @@ void add_options(CLI::App& app, ServiceOptions& options) {
   app.add_flag(
       "--dry-run", options.dry_run,
       "safety_gate decides, shows and records, and sends nothing to the flight controller");
-  app.add_option("--fleet-frame", options.fleet_frame,
-                 "Name of the world in which this vehicle's odometry is. Vehicles that name the same "
-                 "one share it; others are aligned by the person whom both see")
+  app.add_option(
+         "--fleet-frame", options.fleet_frame,
+         "Name of the world in which this vehicle's odometry is. Vehicles that name the same "
+         "one share it; others are aligned by the person whom both see")
       ->check(CLI::Validator(
           [](const std::string& name) {
             return name.empty() || name.size() > 64 ? "1 to 64 letters expected" : "";

@@ -23,22 +23,22 @@ struct ServiceOptions {
   std::string params_file;    // empty: defaults
   bool print_params = false;  // print the parameters as a file and leave
   bool ros_iron_or_later = false;
-  bool px4_odometry = false;       // PX4's own estimate is the vehicle's odometry
-  bool dry_run = false;            // nothing is sent to the flight controller
-  std::string interface;           // of the network; empty: see NodeOptions
-  std::string security;            // folder of the identity; empty: see NodeOptions
-  std::vector<std::string> peers;  // see NodeOptions
-  std::string discovery_server;    // see NodeOptions
+  bool px4_odometry = false;        // PX4's own estimate is the vehicle's odometry
+  bool dry_run = false;             // nothing is sent to the flight controller
+  std::string interface;            // of the network; empty: see NodeOptions
+  std::string security;             // folder of the identity; empty: see NodeOptions
+  std::vector<std::string> peers;   // see NodeOptions
+  std::string discovery_server;     // see NodeOptions
   std::string fleet_frame = "map";  // of the odometry: vehicles that name the same one share it
-  std::string state_folder;        // where the gate remembers its mission; empty: nowhere
+  std::string state_folder;         // where the gate remembers its mission; empty: nowhere
   std::string config_file;  // of the vehicle, for what the command line does not say; may be empty
   std::string log_level = "info";
 };
 
 /// Those of add_names_options, and --config --domain --interface --security --peer
 /// --discovery-server --params --print-params --use-sim-time --clock-topic --color-mount
-/// --depth-mount --ros-iron --px4-odometry --dry-run --fleet-frame --state-dir --log-level. The domain's default
-/// is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
+/// --depth-mount --ros-iron --px4-odometry --dry-run --fleet-frame --state-dir --log-level. The
+/// domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
 /// $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
 

@@ -35,8 +35,8 @@ std::optional<Role> role_of(std::string_view name) {
 }
 
 std::vector<Role> roles_of_service(std::string_view service) {
-  constexpr std::array<std::string_view, 6> kStages = {"perception", "mapping",  "prediction",
-                                                       "planning",   "fleet", "stages"};
+  constexpr std::array<std::string_view, 6> kStages = {"perception", "mapping", "prediction",
+                                                       "planning",   "fleet",   "stages"};
   if (std::ranges::find(kStages, service) != kStages.end()) return {Role::kVehicle};
   if (service == "safety_gate") return {Role::kGate};
   if (service == "simulator" || service == "replay") return {Role::kSimulator};

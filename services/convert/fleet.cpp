@@ -103,8 +103,8 @@ void write_bids(const FleetMember& in, msg::FleetMember& out) {
     const auto way_ds = static_cast<int>(std::lround(10.0F * bid.way_s));
     out.seat_way_ds()[seat] = static_cast<std::uint8_t>(std::clamp(way_ds, 0, kCannot_ds));
     for (std::size_t i = 0; i < intentions; ++i)
-      out.seat_sees()[seat * intentions + i] = static_cast<std::uint8_t>(
-          std::lround(kShares * bid.sees[index_of(kIntentions[i].id)]));
+      out.seat_sees()[seat * intentions + i] =
+          static_cast<std::uint8_t>(std::lround(kShares * bid.sees[index_of(kIntentions[i].id)]));
   }
 }
 

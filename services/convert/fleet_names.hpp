@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in messages of a fleet: of vehicles, of seats, and of intentions, of which receivers may know
-// more or fewer.
+// Names in messages of a fleet: of vehicles, of seats, and of intentions, of which receivers may
+// know more or fewer.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ void write_intentions(const std::array<double, kMaxIntentions>& probabilities, i
 
 /// Where the intentions of a message are in our table.
 struct FleetPlaces {
-  int count = 0;                              ///< that are told
-  std::array<int, kMaxIntentions> places{};   ///< of each; −1: it is not known here
+  int count = 0;                             ///< that are told
+  std::array<int, kMaxIntentions> places{};  ///< of each; −1: it is not known here
 };
 /// Each only once, probabilities from 0 to 1 and no more than 1 in sum. `known`: how many of ours
 /// have a probability then: all or none.

@@ -63,8 +63,9 @@ void read_peers(Checks& checks, const msg::FleetDivision& in, FleetReport& out) 
     checks.within("peers.position_m", row.position_m(), limits::kPosition_m);
     checks.within("peers.separation_m", row.separation_m(), 2.0 * limits::kPosition_m);
     if (!checks.ok()) return;
-    out.peers[out.peer_count++] = {std::string_view(row.vehicle().c_str()), static_cast<FleetTrust>(row.trust()),
-                                   row.age_s(), to_vec3(row.position_m()), row.separation_m()};
+    out.peers[out.peer_count++] = {std::string_view(row.vehicle().c_str()),
+                                   static_cast<FleetTrust>(row.trust()), row.age_s(),
+                                   to_vec3(row.position_m()), row.separation_m()};
   }
 }
 
@@ -81,8 +82,7 @@ FleetReport report_of(const FleetState& state, const FleetResult& result) {
     out.peers[out.peer_count++] = {
         peer.told.vehicle, peer.trust, std::max(own.stamp_s - peer.told.stamp_s, 0.0),
         peer.ours.position_enu_m,
-        (peer.ours.position_enu_m - own.position_enu_m).norm() - own.radius_m -
-            peer.ours.radius_m};
+        (peer.ours.position_enu_m - own.position_enu_m).norm() - own.radius_m - peer.ours.radius_m};
   return out;
 }
 

@@ -27,7 +27,7 @@ struct FlightSpec {
   std::string map = "depth";          // or "known": the true one, and no mapping
   bool camera = false;                // rendered images instead of landmarks
   std::string vehicle = "uav1";
-  std::vector<FleetNames> vehicles;   // of a fleet, instead of `vehicle`
+  std::vector<FleetNames> vehicles;  // of a fleet, instead of `vehicle`
   int domain = 0;
   std::string interface;     // of the network; empty: this machine alone
   std::string security;      // folder of the identity that all of them have; empty: none

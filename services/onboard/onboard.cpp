@@ -46,8 +46,8 @@ std::span<const OnboardService> onboard_services() {
   return kServices;
 }
 
-void run_stages(const ServiceOptions& options, const TrackerParams& params,
-                const StageChoice& with, Stop& stop) {
+void run_stages(const ServiceOptions& options, const TrackerParams& params, const StageChoice& with,
+                Stop& stop) {
   std::mutex mutex;
   std::exception_ptr failure;
   std::vector<std::jthread> threads;

@@ -30,7 +30,7 @@ struct StageChoice {
 
 /// All but the gate, in this process, until the stop is requested. If one service fails to start,
 /// all stop and its error is thrown.
-void run_stages(const ServiceOptions& options, const TrackerParams& params,
-                const StageChoice& with, Stop& stop);
+void run_stages(const ServiceOptions& options, const TrackerParams& params, const StageChoice& with,
+                Stop& stop);
 
 }  // namespace foretrack

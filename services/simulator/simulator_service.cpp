@@ -101,9 +101,8 @@ void SimulatorService::step(std::size_t vehicle) {
     if (i != vehicle && is_there(i))
       state.peers_enu_m.push_back(vehicles_[i]->state().quadrotor.vehicle.position_enu_m);
   if (!scenario_.vehicles.empty())
-    state.blind = now_s_ - people_set_off_s_ >= failure_s(scenario_,
-                                                          scenario_.vehicles[vehicle].name,
-                                                          FleetFailureKind::kBlind);
+    state.blind = now_s_ - people_set_off_s_ >=
+                  failure_s(scenario_, scenario_.vehicles[vehicle].name, FleetFailureKind::kBlind);
   vehicles_[vehicle]->step(kStep_s, is_there(vehicle));
 }
 

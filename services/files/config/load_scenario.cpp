@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "services/files/config/fleet_file.hpp"
 #include "services/files/config/load_scenario.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 
 #include "core/common/random.hpp"
 #include "services/files/config/apply_setting.hpp"
+#include "services/files/config/fleet_file.hpp"
 #include "services/files/config/octree_world.hpp"
 #include "services/files/config/scenario_file.hpp"
 #include "services/files/share/share.hpp"

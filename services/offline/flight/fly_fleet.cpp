@@ -62,9 +62,7 @@ class FlyingFleet {
   }
 
  private:
-  bool is_there(const Flyer& f) const {
-    return is_there_at(scenario_, f.name, now_s_);
-  }
+  bool is_there(const Flyer& f) const { return is_there_at(scenario_, f.name, now_s_); }
 
   void advance() {
     for (Flyer& f : flyers_) {
@@ -153,8 +151,7 @@ class FlyingFleet {
       out.names.push_back(f.name);
       out.vehicles.push_back(std::move(f.result));
     }
-    out.metrics =
-        fleet_metrics_of(rows_, events, fleet_metric_params_of(metrics, params_.fleet));
+    out.metrics = fleet_metrics_of(rows_, events, fleet_metric_params_of(metrics, params_.fleet));
     for (const FlightResult& one : out.vehicles) {
       out.metrics.wall_contacts += one.metrics.collisions;
       out.metrics.person_contacts += one.metrics.person_contacts;

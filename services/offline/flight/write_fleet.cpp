@@ -52,19 +52,19 @@ std::string to_text(const FleetFlight& flight) {
   };
   const FleetMetrics& m = flight.metrics;
   add("seen by one       {:6.2f} %  of the time; by two {:.2f} %; by nobody for {:.2f} s at most\n",
-             100.0 * m.union_visibility, 100.0 * m.k2_visibility, m.longest_unseen_s);
+      100.0 * m.union_visibility, 100.0 * m.k2_visibility, m.longest_unseen_s);
   add("separation        {:6.2f} m least, below the promise for {:.2f} s, {} contacts\n",
-             m.min_separation_m, m.below_separation_s, m.contacts);
+      m.min_separation_m, m.below_separation_s, m.contacts);
   add("one in the band   {:6.2f} %  of the time, {} handovers\n", 100.0 * m.band_share,
-             m.handovers);
+      m.handovers);
   add("in the way        {:6.2f} %  of the time a vehicle hides the person from another\n",
-             100.0 * m.mutual_occlusion);
+      100.0 * m.mutual_occlusion);
   add("told              {:6.1f} kB/s by each\n", 0.001 * m.bytes_per_s);
   for (std::size_t i = 0; i < flight.names.size(); ++i) {
     const Metrics& v = flight.vehicles[i].metrics;
     add("{:<18}sees {:.1f} %, {:.2f} m away on average, {} collisions, {} contacts with people\n",
-               flight.names[i], 100.0 * (1.0 - v.fov_loss_rate), v.mean_distance_m, v.collisions,
-               v.person_contacts);
+        flight.names[i], 100.0 * (1.0 - v.fov_loss_rate), v.mean_distance_m, v.collisions,
+        v.person_contacts);
   }
   return text;
 }

@@ -68,7 +68,7 @@ class PlanningService {
   double placed_s_ = -1e9;
   MovingBodies peers_;
   MovingBodies kept_clear_;  // bodies and peers
-  TargetState told_;  // where the others see the person
+  TargetState told_;         // where the others see the person
   bool flies_plans_ = true;  // until a gate says otherwise
   Framing framing_;          // as it was ordered
   bool waits_ = false;       // nobody is to be followed now, or an operator is asked who it is

@@ -200,9 +200,9 @@ bool SafetyGateService::is_blind() const {
 
 // Samples of a second writer are not heard, unless they are orders; that there is one is.
 std::string SafetyGateService::alarm() {
-  const std::array<const EndpointStats*, 6> inputs = {&order_reader_.stats(),  &plan_reader_.stats(),
-                                                      &vehicle_.stats(),       &map_reader_.stats(),
-                                                      &bodies_reader_.stats(), &peers_reader_.stats()};
+  const std::array<const EndpointStats*, 6> inputs = {
+      &order_reader_.stats(), &plan_reader_.stats(),   &vehicle_.stats(),
+      &map_reader_.stats(),   &bodies_reader_.stats(), &peers_reader_.stats()};
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto samples = i == 0 ? strange_orders_ : inputs[i]->rejected_for(kSecondWriter);
     if (samples == second_writers_[i]) continue;

@@ -64,7 +64,7 @@ class SafetyGateService {
   double bodies_at_s_ = -1.0;
   std::optional<MovingBodies> peers_;  // other vehicles; none: no fleet was heard
   double peers_at_s_ = -1.0;
-  MovingBodies kept_clear_;  // bodies and peers
+  MovingBodies kept_clear_;                         // bodies and peers
   bool color_blind_ = false, depth_blind_ = false;  // as perception and mapping say with these
   double operator_at_s_ = -1.0;
   std::deque<MissionCommand> orders_;
