@@ -14,7 +14,7 @@ struct Flight {
     scenario.world.max_m = {room_m, room_m, 5};
     scenario.target.route_m = {{0, 0}, {5, 0}};
     for (int i = 0; i < vehicles; ++i)
-      scenario.vehicles.push_back({.name = "uav" + std::to_string(i + 1)});
+      scenario.vehicles.emplace_back().name = "uav" + std::to_string(i + 1);
     world = world_of(scenario);
     person = make_person(scenario.target.person, walk_of(scenario, world), 0.0);
   }

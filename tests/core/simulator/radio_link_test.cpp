@@ -33,7 +33,10 @@ TEST(RadioLink, InAPartitionOnlyTheirOwnGroupHears) {
 }
 
 TEST(RadioLink, WhatBecomesOfOneMessageChangesNoOther) {
-  const LinkParams good{.jitter_s = 0.5}, bad{.loss = 1.0, .jitter_s = 0.5};
+  LinkParams good;
+  good.jitter_s = 0.5;
+  LinkParams bad = good;
+  bad.loss = 1.0;
   Random a(9), b(9);
   arrival_s(good, "a", "b", 0.0, a);
   arrival_s(bad, "a", "b", 0.0, b);

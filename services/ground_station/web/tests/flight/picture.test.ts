@@ -22,7 +22,6 @@ duration_s: 900
 `;
 const frame = ".camview .frame";
 const shots = process.env["FORETRACK_SHOTS"];
-// On a machine that does nothing else they are below 1000, 150 and 500 (docs/ground_station.md).
 const limits_ms = { first: 8000, lag: 800, order: 1500 };
 
 const flight = new Flight();
