@@ -7,15 +7,16 @@
 namespace foretrack {
 namespace {
 
-constexpr double kHeight_m = 1.5, kClearance_m = 0.5;
-constexpr double kApart_m = 1.8;  // of two vehicles' centres
+constexpr double kStartAltitude_m = 1.5, kStartRoom_m = 0.5;
+constexpr double kStartsApart_m = 1.8;  // of two vehicles' centres
 
 bool is_free(const World& world, const Vec3& place, const PersonState& person,
              const std::vector<Vec3>& taken) {
-  return world.contains(place) && clearance_m(world, place) >= kClearance_m &&
+  return world.contains(place) && clearance_m(world, place) >= kStartRoom_m &&
          line_of_sight(world, place, person.position_enu_m) &&
-         std::none_of(taken.begin(), taken.end(),
-                      [&](const Vec3& other) { return distance_xy(place, other) < kApart_m; });
+         std::none_of(taken.begin(), taken.end(), [&](const Vec3& other) {
+           return distance_xy(place, other) < kStartsApart_m;
+         });
 }
 
 Vec3 free_place(const World& world, const Person& who, const std::vector<Vec3>& taken,
@@ -26,7 +27,7 @@ Vec3 free_place(const World& world, const Person& who, const std::vector<Vec3>& 
       const int steps = (k + 1) / 2;  // to either side in turn
       const double angle = who.course_rad + kPi + (k % 2 ? 1 : -1) * steps * kPi / 12.0;
       const Vec2 p = person.position_enu_m.head<2>() + distance_m * direction_of(angle);
-      const Vec3 place(p.x(), p.y(), world.min_m.z() + kHeight_m);
+      const Vec3 place(p.x(), p.y(), world.min_m.z() + kStartAltitude_m);
       if (is_free(world, place, person, taken)) return place;
     }
   throw std::invalid_argument("scenario: no free place near the target for vehicle " + name);

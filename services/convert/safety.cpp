@@ -172,7 +172,12 @@ Framing read_framing(Checks& checks, const msg::TargetFraming& in) {
   within_or_nan(checks, "framing.height_m", in.height_m(), limits::kPosition_m);
   within_or_nan(checks, "framing.bearing_rad", in.bearing_rad(), limits::kAngle_rad);
   checks.within("framing.circling_radps", in.circling_radps(), limits::kRate_rad_s);
-  return {in.distance_m(), in.height_m(), in.bearing_rad(), in.circling_radps()};
+  Framing out;
+  out.distance_m = in.distance_m();
+  out.height_m = in.height_m();
+  out.bearing_rad = in.bearing_rad();
+  out.circling_rad_s = in.circling_radps();
+  return out;
 }
 
 Setpoint read_setpoint(Checks& checks, const msg::SafetyState& in) {

@@ -8,10 +8,10 @@
 namespace foretrack {
 namespace {
 
-using Rows = std::span<const FleetRow>;
+using FleetRows = std::span<const FleetRow>;
 constexpr double kBefore_s = 1.0, kAfter_s = 4.0;
 
-double step_of(Rows rows) {
+double fleet_step_s(FleetRows rows) {
   return rows.size() < 2
              ? 0.0
              : (rows.back().now_s - rows.front().now_s) / static_cast<double>(rows.size() - 1);
@@ -22,7 +22,7 @@ int seeing(const FleetRow& row) {
                                         [](const auto& m) { return m.there && m.sees; }));
 }
 
-double longest_unseen_s(Rows rows, double step_s) {
+double longest_unseen_s(FleetRows rows, double step_s) {
   double longest = 0.0, now = 0.0;
   for (const FleetRow& row : rows) {
     now = seeing(row) == 0 ? now + step_s : 0.0;
@@ -39,7 +39,7 @@ void for_pairs(const FleetRow& row, const Take& take) {
       if (row.members[a].there && row.members[b].there) take(row.members[a], row.members[b]);
 }
 
-void measure_sight(Rows rows, const FleetMetricParams& p, FleetMetrics& m) {
+void measure_sight(FleetRows rows, const FleetMetricParams& p, FleetMetrics& m) {
   double time = 0.0, hidden = 0.0, one = 0.0, two = 0.0, band = 0.0;
   for (const FleetRow& row : rows) {
     const int n = seeing(row);
@@ -61,8 +61,8 @@ void measure_sight(Rows rows, const FleetMetricParams& p, FleetMetrics& m) {
   m.mutual_occlusion = time > 0.0 ? hidden / time : 0.0;
 }
 
-void measure_separation(Rows rows, const FleetMetricParams& p, FleetMetrics& m) {
-  const double step_s = step_of(rows);
+void measure_separation(FleetRows rows, const FleetMetricParams& p, FleetMetrics& m) {
+  const double step_s = fleet_step_s(rows);
   m.min_separation_m = std::numeric_limits<double>::infinity();
   bool touched = false;
   for (const FleetRow& row : rows) {
@@ -82,7 +82,7 @@ void measure_separation(Rows rows, const FleetMetricParams& p, FleetMetrics& m) 
 }
 
 // The least angle between neighbours as the person sees them, of what it is when all are even.
-void measure_spread(Rows rows, FleetMetrics& m) {
+void measure_spread(FleetRows rows, FleetMetrics& m) {
   double sum = 0.0;
   int counted = 0;
   for (const FleetRow& row : rows) {
@@ -107,7 +107,7 @@ int near_of(const FleetRow& row) {
   return -1;
 }
 
-void measure_handovers(Rows rows, FleetMetrics& m) {
+void measure_handovers(FleetRows rows, FleetMetrics& m) {
   int before = -1;
   for (const FleetRow& row : rows) {
     const int now = near_of(row);
@@ -117,7 +117,7 @@ void measure_handovers(Rows rows, FleetMetrics& m) {
   }
 }
 
-Rows between(Rows rows, double from_s, double to_s) {
+FleetRows fleet_rows_between(FleetRows rows, double from_s, double to_s) {
   const auto before = [](const FleetRow& row, double t) { return row.now_s < t; };
   const auto first = std::lower_bound(rows.begin(), rows.end(), from_s, before);
   return {first, std::lower_bound(first, rows.end(), to_s, before)};
@@ -140,11 +140,11 @@ bool hides(const Vec3& hull_enu_m, const Vec3& eye_enu_m, const Vec3& person_enu
   return along > 0.0 && along < 1.0 && (eye_enu_m + along * way - hull_enu_m).norm() < kSlack_m;
 }
 
-FleetMetrics fleet_metrics_of(Rows rows, std::span<const TruthEvent> events,
+FleetMetrics fleet_metrics_of(FleetRows rows, std::span<const TruthEvent> events,
                               const FleetMetricParams& params) {
   FleetMetrics m;
   if (rows.empty()) return m;
-  const double step_s = step_of(rows);
+  const double step_s = fleet_step_s(rows);
   m.vehicles = static_cast<int>(rows.front().members.size());
   measure_sight(rows, params, m);
   m.longest_unseen_s = longest_unseen_s(rows, step_s);
@@ -158,9 +158,10 @@ FleetMetrics fleet_metrics_of(Rows rows, std::span<const TruthEvent> events,
   }
   m.bytes_per_s = there_s > 0.0 ? bytes / there_s : 0.0;
   for (const TruthEvent& event : events)
-    m.events.push_back({event.begin_s, longest_unseen_s(between(rows, event.begin_s - kBefore_s,
-                                                                event.begin_s + kAfter_s),
-                                                        step_s)});
+    m.events.push_back(
+        {event.begin_s, longest_unseen_s(fleet_rows_between(rows, event.begin_s - kBefore_s,
+                                                            event.begin_s + kAfter_s),
+                                         step_s)});
   return m;
 }
 

@@ -101,8 +101,8 @@ TEST_F(FlightWithDepth, FollowsThePersonInAMapOfItsOwn) {
 TEST(Onboard, NamesItsServicesInTheOrderOfThePipeline) {
   std::vector<std::string> names;
   for (const auto& service : onboard_services()) names.push_back(service.name);
-  EXPECT_THAT(names, ::testing::ElementsAre("perception", "mapping", "prediction", "planning",
-                                            "fleet", "safety_gate"));
+  EXPECT_THAT(names, ::testing::ElementsAre("perception", "mapping", "prediction", "fleet",
+                                            "planning", "safety_gate"));
 }
 
 TEST(Onboard, ThrowsWhatAServiceCouldNotStartWith) {

@@ -229,13 +229,14 @@ TEST_F(Bench, SaysWhatIsWrongBeforeAnythingFlies) {
         return std::string();
       }(),
       HasSubstr("there are turning, deceleration, t_intersection, real_tracks, stress, chests, "
-                "real_tracks_chest, encounters, encounters_all_round, search and all"));
+                "real_tracks_chest, encounters, encounters_all_round, search, fleet and all"));
 }
 
 TEST(Experiments, AreEvaluatedOnSeedsThatNothingIsTunedOn) {
   EXPECT_GE(kFirstEvaluationSeed, 5000u);
   EXPECT_GE(kFirstEncounterSeed, 20001u);
-  EXPECT_EQ(experiments().size(), 10u);
+  EXPECT_GE(kFirstFleetSeed, 50000u);
+  EXPECT_EQ(experiments().size(), 11u);
 }
 
 }  // namespace
