@@ -8,7 +8,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kAround = 0.1;  // of the box's height, on each side
+constexpr double kAroundBox = 0.1;  // of the box's height, on each side
 
 /// Columns or rows of the image.
 struct Span {
@@ -43,7 +43,7 @@ void add_mean(const RgbImage& image, const Span& columns, const Span& rows,
 
 RgbImage cut_picture(const RgbImage& image, const Vec2& low_px, const Vec2& high_px, int most_px) {
   RgbImage out;
-  const double around_px = kAround * (high_px.y() - low_px.y());
+  const double around_px = kAroundBox * (high_px.y() - low_px.y());
   if (!(around_px >= 0.0) || !low_px.allFinite() || !high_px.allFinite()) return out;
   const Span columns = span_of(low_px.x() - around_px, high_px.x() + around_px, image.width_px);
   const Span rows = span_of(low_px.y() - around_px, high_px.y() + around_px, image.height_px);

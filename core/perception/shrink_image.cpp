@@ -8,19 +8,19 @@
 namespace foretrack {
 namespace {
 
-struct Span {
+struct PixelShare {
   int begin, end;
 };
 
 // Of `count` pixels those that become pixel i of `shrunk`. Never empty.
-Span span_of(int i, int shrunk, int count) {
+PixelShare share_of(int i, int shrunk, int count) {
   const auto edge = [&](int k) {
     return static_cast<int>(static_cast<std::int64_t>(k) * count / shrunk);
   };
   return {edge(i), std::max(edge(i) + 1, edge(i + 1))};
 }
 
-void put_mean(const RgbImage& image, Span columns, Span rows, std::uint8_t* to) {
+void put_mean(const RgbImage& image, PixelShare columns, PixelShare rows, std::uint8_t* to) {
   unsigned sum[3] = {};
   for (int row = rows.begin; row < rows.end; ++row) {
     const std::uint8_t* from = image.pixel(columns.begin, row);
@@ -40,8 +40,8 @@ void shrink(const RgbImage& image, int width_px, RgbImage& out) {
   out.rgb.resize(3 * static_cast<std::size_t>(out.width_px) * out.height_px);
   for (int row = 0; row < out.height_px; ++row)
     for (int column = 0; column < out.width_px; ++column)
-      put_mean(image, span_of(column, out.width_px, image.width_px),
-               span_of(row, out.height_px, image.height_px), out.pixel(column, row));
+      put_mean(image, share_of(column, out.width_px, image.width_px),
+               share_of(row, out.height_px, image.height_px), out.pixel(column, row));
 }
 
 }  // namespace foretrack

@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace foretrack {
@@ -56,6 +60,55 @@ void check_keys(const YAML::Node& node, const std::string& path, int depth, int&
   }
 }
 
+// How many documents there are, empty ones at the end apart, and where the second begins. The
+// library finds new ones for ever in some texts that are not YAML, so no more are asked for.
+class Documents : public YAML::EventHandler {
+ public:
+  static constexpr int kMost = 8;
+
+  int count = 0;
+  YAML::Mark second;
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++begun_ == 2) second = mark;
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override { count = begun_; }
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {
+    count = begun_;
+  }
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {
+    count = begun_;
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {
+    count = begun_;
+  }
+  void OnMapEnd() override {}
+
+ private:
+  int begun_ = 0;
+};
+
+Documents count_documents(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Documents documents;
+  for (int i = 0; i < Documents::kMost && parser.HandleNextDocument(documents); ++i) {
+  }
+  return documents;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw YAML::BadFile(file.string());
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace
 
 void Faults::add(const YAML::Mark& mark, const std::string& text) {
@@ -69,17 +122,17 @@ void Faults::throw_if_any() const {
 
 YAML::Node load_yaml(const std::filesystem::path& file) {
   try {
-    std::vector<YAML::Node> documents = YAML::LoadAllFromFile(file.string());
-    while (documents.size() > 1 && documents.back().IsNull()) documents.pop_back();
-    if (documents.empty()) return YAML::Node(YAML::NodeType::Null);
+    const std::string text = text_of(file);
+    const Documents documents = count_documents(text);
+    const YAML::Node document = YAML::Load(text);
     Faults faults(file.string());
-    if (documents.size() > 1)
-      faults.add(documents[1].Mark(),
-                 fmt::format("{} documents (divided by ---), one expected", documents.size()));
+    if (documents.count > 1)
+      faults.add(documents.second,
+                 fmt::format("{} documents (divided by ---), one expected", documents.count));
     int left = kMostNodes;
-    check_keys(documents.front(), "", 0, left, faults);
+    check_keys(document, "", 0, left, faults);
     faults.throw_if_any();
-    return documents.front();
+    return document;
   } catch (const YAML::BadFile&) {
     throw std::invalid_argument(file.string() + ": cannot be read");
   } catch (const YAML::ParserException& error) {

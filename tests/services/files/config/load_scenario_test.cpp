@@ -315,7 +315,7 @@ Scenario with_vehicles(const char* name, int count) {
   return load_scenario(name, overrides);
 }
 
-TEST(LoadScenario, TakesSoManyVehiclesAsTheCommandLineSays) {
+TEST_F(LoadScenario, TakesSoManyVehiclesAsTheCommandLineSays) {
   const auto names = [](int count) {
     const Scenario fleet = with_vehicles("fleet_blocks", count);
     std::vector<std::string> out;
