@@ -69,28 +69,31 @@ class Documents : public YAML::EventHandler {
   int count = 0;
   YAML::Mark second;
 
-  void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++begun_ == 2) second = mark;
-  }
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override { ++begun_; }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override { count = begun_; }
-  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { note(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
                 const std::string& /*value*/) override {
-    count = begun_;
+    note(mark);
   }
-  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/,
                        YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {
-    count = begun_;
+    note(mark);
   }
   void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
                   YAML::EmitterStyle::value /*style*/) override {
-    count = begun_;
+    note(mark);
   }
   void OnMapEnd() override {}
 
  private:
+  void note(const YAML::Mark& mark) {
+    if (begun_ > 1 && count < 2) second = mark;
+    count = begun_;
+  }
+
   int begun_ = 0;
 };
 
