@@ -142,12 +142,16 @@ class FlyingFleet {
     FleetFlight out;
     const MetricParams metrics = metric_params_of(params_);
     std::vector<TruthEvent> events;
+    std::size_t longest = 0;
     for (Flyer& f : flyers_) {
       keep_rows_there(f);
-      f.result.metrics = metrics_of(f.result.rows, metrics);
+      if (f.result.rows.size() > 1) f.result.metrics = metrics_of(f.result.rows, metrics);
       f.result.metrics.plan_ms = quantiles_of(f.result.plan_ms);
-      if (out.names.empty())
+      if (f.result.rows.size() > longest) {  // who is there all the time knows every turn
+        longest = f.result.rows.size();
+        events.clear();
         for (const EventRecord& turn : f.result.metrics.turn_records) events.push_back(turn.event);
+      }
       out.names.push_back(f.name);
       out.vehicles.push_back(std::move(f.result));
     }

@@ -72,7 +72,8 @@ std::string to_text(const FleetFlight& flight) {
 void write_fleet_flight(const FleetFlight& flight, const MetricParams& params,
                         const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < flight.names.size(); ++i)
-    write_flight(flight.vehicles[i], params, folder / flight.names[i]);
+    if (!flight.vehicles[i].rows.empty())  // it was there
+      write_flight(flight.vehicles[i], params, folder / flight.names[i]);
   std::ofstream out(folder / "metrics.json", std::ios::binary);
   out << json_of(flight);
   out.flush();
