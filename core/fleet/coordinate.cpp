@@ -68,15 +68,10 @@ FleetMember message_of(FleetState& state, const FleetInput& in) {
   return out;
 }
 
-bool sees(const FleetMember& member) {
-  const FleetPerson* person = member.followed();
-  return person && person->in_sight;
-}
-
 // Both see the person: their frames are put together, and their words compared.
 void meet(FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
   const bool common = peer.told.frame == own.frame;
-  if (sees(peer.told) && sees(own) && !common)
+  if (peer.told.sees_followed() && own.sees_followed() && !common)
     add_pair(peer.pairs, peer.told.stamp_s, peer.told.followed()->position_enu_m,
              at_time(*own.followed(), own.stamp_s, peer.told.stamp_s).position_enu_m +
                  std::min(peer.told.stamp_s - own.stamp_s, 0.0) * own.followed()->velocity_enu_m_s,
@@ -96,7 +91,8 @@ bool follows_same(const FleetPeer& peer, const FleetPerson* person, double now_s
 }
 
 bool can_compare(const FleetPeer& peer, const FleetMember& own) {
-  return sees(peer.ours) && sees(own) && follows_same(peer, own.followed(), own.stamp_s);
+  return peer.ours.sees_followed() && own.sees_followed() &&
+         follows_same(peer, own.followed(), own.stamp_s);
 }
 
 bool disagrees(const FleetPeer& peer, const FleetMember& own, const FleetParams& params) {
@@ -137,11 +133,12 @@ bool is_heard(const FleetPeer& peer, double now_s, const FleetParams& params) {
 // Who sees the person goes by its own eyes. Who does not goes by the others'.
 TargetState fuse(const FleetState& state, const FleetInput& in, const FleetMember& own,
                  const FleetParams& params) {
-  if (sees(own)) return in.target;
+  if (own.sees_followed()) return in.target;
   FleetPerson fused;
   bool any = false;
   for (const FleetPeer& peer : state.all()) {
-    if (!is_believed(peer) || !is_heard(peer, in.now_s, params) || !sees(peer.ours)) continue;
+    if (!is_believed(peer) || !is_heard(peer, in.now_s, params) || !peer.ours.sees_followed())
+      continue;
     const FleetPerson theirs = at_time(*peer.ours.followed(), peer.ours.stamp_s, in.now_s);
     if (any && apart2(theirs, fused) > params.gate_mahalanobis * params.gate_mahalanobis) continue;
     fused = any ? intersect(fused, theirs) : theirs;

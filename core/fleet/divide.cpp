@@ -2,6 +2,7 @@
 #include "core/fleet/divide.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace foretrack {
@@ -116,11 +117,6 @@ class Dividing {
   std::size_t near_ = 0;
 };
 
-bool sees_now(const FleetMember& member) {
-  const FleetPerson* person = member.followed();
-  return person && person->in_sight;
-}
-
 }  // namespace
 
 const FleetPart* FleetDivision::part_of(std::string_view vehicle) const {
@@ -130,10 +126,11 @@ const FleetPart* FleetDivision::part_of(std::string_view vehicle) const {
 }
 
 void agree_on_intentions(std::span<const FleetMember> members, FleetDivision& out) {
-  const bool anybody = std::any_of(members.begin(), members.end(), sees_now);
+  const bool anybody =
+      std::any_of(members.begin(), members.end(), std::mem_fn(&FleetMember::sees_followed));
   double sum = 0.0;
   for (const FleetMember& member : members) {
-    if (anybody && !sees_now(member)) continue;
+    if (anybody && !member.sees_followed()) continue;
     out.intention_count = std::max(out.intention_count, member.intention_count);
     for (int i = 0; i < member.intention_count; ++i) {
       out.intentions[i] += member.intentions[i];

@@ -31,4 +31,9 @@ const FleetPerson* FleetMember::followed() const {
   return nullptr;
 }
 
+bool FleetMember::sees_followed() const {
+  const FleetPerson* person = followed();
+  return person && person->in_sight;
+}
+
 }  // namespace foretrack

@@ -92,6 +92,8 @@ struct FleetMember {
   }
   /// Null: it follows nobody.
   const FleetPerson* followed() const;
+  /// The one it follows, at the stamp.
+  bool sees_followed() const;
 };
 
 }  // namespace foretrack

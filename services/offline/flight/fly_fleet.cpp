@@ -132,10 +132,8 @@ class FlyingFleet {
 
   // What it does before it joins and after it died is nobody's flight.
   void keep_rows_there(Flyer& f) const {
-    const double from_s = failure_s(scenario_, f.name, FleetFailureKind::kJoins);
-    const double to_s = failure_s(scenario_, f.name, FleetFailureKind::kDies);
     std::erase_if(f.result.rows,
-                  [&](const FlightRow& row) { return row.now_s < from_s || row.now_s >= to_s; });
+                  [&](const FlightRow& row) { return !is_there_at(scenario_, f.name, row.now_s); });
   }
 
   FleetFlight finish() {
