@@ -17,6 +17,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
+#include "services/convert/px4_home.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/trajectory.hpp"
@@ -66,6 +67,7 @@ constexpr std::array kFeeds = {
     feed<px4_msgs::msg::VehicleStatus>,
     feed<px4_msgs::msg::VehicleCommand>,
     feed<px4_msgs::msg::BatteryStatus>,
+    feed<px4_msgs::msg::HomePosition>,
     feed<foretrack_msgs::msg::MissionCommand>,
     feed<foretrack_msgs::msg::SafetyState>,
     feed<foretrack_msgs::msg::TargetObservation>,
