@@ -168,8 +168,9 @@ bool is_active(MissionPhase phase) {
 
 std::string_view to_string(MissionOrder order) {
   constexpr std::array<std::string_view, 13> names = {
-      "start", "hold",    "resume",   "return",     "land",   "stop",
-      "lease", "release", "take_off", "set_bounds", "follow", "set_framing", "set_return_place"};
+      "start",  "hold",        "resume",          "return",   "land",
+      "stop",   "lease",       "release",         "take_off", "set_bounds",
+      "follow", "set_framing", "set_return_place"};
   return names[static_cast<std::size_t>(order)];
 }
 std::string_view to_string(MissionPhase phase) {

@@ -24,8 +24,8 @@ enum class MissionOrder : std::uint8_t {
   kRelease,  // give it back
   kTakeOff,  // by the flight controller, which then holds
   kSetBounds,
-  kFollow,      // a person, or nobody
-  kSetFraming,  // from where they are to be seen
+  kFollow,          // a person, or nobody
+  kSetFraming,      // from where they are to be seen
   kSetReturnPlace,  // which the flight controller keeps
 };
 

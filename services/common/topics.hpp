@@ -256,8 +256,7 @@ using All =
                PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
                TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
                Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4HomePosition,
-               Px4FailsafeFlags,
-               Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
+               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
                Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

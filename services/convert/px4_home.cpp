@@ -29,8 +29,8 @@ GlobalPlace global_of(const GlobalPlace& origin, const Vec3& place_enu_m) {
   const double north = place_enu_m.y() / kEarth_m, east = place_enu_m.x() / kEarth_m;
   const double arc = std::hypot(north, east);
   const double sine = arc > 0.0 ? std::sin(arc) / arc : 1.0;
-  const double lat = std::asin(std::clamp(
-      std::cos(arc) * std::sin(lat0) + north * sine * std::cos(lat0), -1.0, 1.0));
+  const double lat = std::asin(
+      std::clamp(std::cos(arc) * std::sin(lat0) + north * sine * std::cos(lat0), -1.0, 1.0));
   const double lon = lon0 + std::atan2(east * sine, std::cos(lat0) * std::cos(arc) -
                                                         north * std::sin(lat0) * sine);
   return {lat / kDegree_rad, wrap_angle(lon) / kDegree_rad, origin.alt_m + place_enu_m.z()};
@@ -39,13 +39,14 @@ GlobalPlace global_of(const GlobalPlace& origin, const Vec3& place_enu_m) {
 Vec3 local_of(const GlobalPlace& origin, const GlobalPlace& place) {
   const double lat0 = origin.lat_deg * kDegree_rad, lat = place.lat_deg * kDegree_rad;
   const double turn = (place.lon_deg - origin.lon_deg) * kDegree_rad;
-  const double cosine = std::sin(lat0) * std::sin(lat) +
-                        std::cos(lat0) * std::cos(lat) * std::cos(turn);
+  const double cosine =
+      std::sin(lat0) * std::sin(lat) + std::cos(lat0) * std::cos(lat) * std::cos(turn);
   const double arc = std::acos(std::clamp(cosine, -1.0, 1.0));
   const double scale = kEarth_m * (arc > 0.0 ? arc / std::sin(arc) : 1.0);
-  return {scale * std::cos(lat) * std::sin(turn),
-          scale * (std::cos(lat0) * std::sin(lat) - std::sin(lat0) * std::cos(lat) * std::cos(turn)),
-          place.alt_m - origin.alt_m};
+  return {
+      scale * std::cos(lat) * std::sin(turn),
+      scale * (std::cos(lat0) * std::sin(lat) - std::sin(lat0) * std::cos(lat) * std::cos(turn)),
+      place.alt_m - origin.alt_m};
 }
 
 std::optional<GlobalPlace> origin_of(const msg::VehicleLocalPosition& in) {

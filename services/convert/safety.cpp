@@ -233,8 +233,8 @@ Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   if (out.order == MissionOrder::kFollow) out.person_id = in.person_id();
   if (out.order == MissionOrder::kSetFraming) out.framing = read_framing(checks, in.framing());
   if (out.order == MissionOrder::kSetReturnPlace) {
-    const auto& [x_m, y_m] = out.return_place_enu_m = {in.return_place_m()[0],
-                                                       in.return_place_m()[1]};
+    const auto& [x_m, y_m] =
+        out.return_place_enu_m = {in.return_place_m()[0], in.return_place_m()[1]};
     checks.within("return_place_m", x_m, limits::kPosition_m);
     checks.within("return_place_m", y_m, limits::kPosition_m);
   }

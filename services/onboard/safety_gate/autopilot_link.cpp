@@ -53,7 +53,8 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
     sticks_moved_ |= sticks_moved(m);
   });
   loop.on_newest(battery_reader_, convert, [this](const BatteryState& b) { battery_ = b; });
-  loop.on_newest(home_reader_, convert, [this](const Vec3& home_enu_m) { home_enu_m_ = home_enu_m; });
+  loop.on_newest(home_reader_, convert,
+                 [this](const Vec3& home_enu_m) { home_enu_m_ = home_enu_m; });
   loop.on_newest(
       position_reader_,
       [](const px4_msgs::msg::VehicleLocalPosition& m) { return Converted(origin_of(m)); },

@@ -65,7 +65,7 @@ class AutopilotLink {
   bool silence_alone_ = false;  // is what its failsafe can act for
   std::optional<BatteryState> battery_;
   std::optional<Vec3> home_enu_m_;
-  std::optional<GlobalPlace> origin_;  // of the world frame
+  std::optional<GlobalPlace> origin_;                 // of the world frame
   AutopilotRequest asked_ = AutopilotRequest::kNone;  // by the command that was written last
   std::deque<AutopilotAck> acks_;
   AutopilotAck ack_;  // that the gate is shown

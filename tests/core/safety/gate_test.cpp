@@ -254,8 +254,12 @@ TEST(Gate, APlaceToReturnToIsAskedForOnceWhileItFliesOn) {
   Flying loop;
   const auto plan = loop.plan(1001);
   loop.tick(&plan);
-  MissionCommand lease{.id = 100, .stamp_s = loop.stamp_now_s(), .order = MissionOrder::kLease,
-                       .operator_name = "ada", .lease_id = "ada", .proved = true};
+  MissionCommand lease{.id = 100,
+                       .stamp_s = loop.stamp_now_s(),
+                       .order = MissionOrder::kLease,
+                       .operator_name = "ada",
+                       .lease_id = "ada",
+                       .proved = true};
   ASSERT_TRUE(is_accepted(loop.tick(nullptr, &lease).command_result));
   MissionCommand place = lease;
   place.id = 101;

@@ -11,10 +11,11 @@ namespace {
 
 constexpr MissionRules kRules{.max_age_s = 1.0, .future_s = 0.5, .lease_s = 5.0};
 constexpr std::uint64_t kHighest = std::numeric_limits<std::uint64_t>::max();
-constexpr auto kAll = {MissionOrder::kStart,   MissionOrder::kHold,      MissionOrder::kResume,
-                       MissionOrder::kReturn,  MissionOrder::kLand,      MissionOrder::kLease,
-                       MissionOrder::kRelease, MissionOrder::kTakeOff,   MissionOrder::kSetBounds,
-                       MissionOrder::kFollow,  MissionOrder::kSetFraming, MissionOrder::kSetReturnPlace};
+constexpr auto kAll = {
+    MissionOrder::kStart,   MissionOrder::kHold,       MissionOrder::kResume,
+    MissionOrder::kReturn,  MissionOrder::kLand,       MissionOrder::kLease,
+    MissionOrder::kRelease, MissionOrder::kTakeOff,    MissionOrder::kSetBounds,
+    MissionOrder::kFollow,  MissionOrder::kSetFraming, MissionOrder::kSetReturnPlace};
 
 /// A mission that tracks, and orders a moment apart.
 struct Orders {
@@ -333,12 +334,10 @@ TEST(Mission, TakesBoundsFromTheLeasesHolderAlone) {
 
 TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
   for (const auto order : kAll)
-    EXPECT_EQ(needs_memory(order), order == MissionOrder::kStart ||
-                                       order == MissionOrder::kResume ||
-                                       order == MissionOrder::kTakeOff ||
-                                       order == MissionOrder::kLease ||
-                                       (is_setting(order) &&
-                                        order != MissionOrder::kSetReturnPlace))
+    EXPECT_EQ(needs_memory(order),
+              order == MissionOrder::kStart || order == MissionOrder::kResume ||
+                  order == MissionOrder::kTakeOff || order == MissionOrder::kLease ||
+                  (is_setting(order) && order != MissionOrder::kSetReturnPlace))
         << to_string(order);
   EXPECT_FALSE(needs_memory(MissionOrder::kStop));
 }
@@ -350,8 +349,7 @@ TEST(Mission, EverythingHasAName) {
   EXPECT_EQ(to_string(MissionResult::kRefusedFraming),
             "refused: this framing is out of its safe ranges");
   EXPECT_EQ(to_string(MissionOrder::kSetReturnPlace), "set_return_place");
-  EXPECT_EQ(to_string(MissionResult::kRefusedPlace),
-            "refused: this place is outside of the fence");
+  EXPECT_EQ(to_string(MissionResult::kRefusedPlace), "refused: this place is outside of the fence");
   EXPECT_EQ(to_string(MissionPhase::kTakingOff), "taking off");
   EXPECT_EQ(to_string(MissionResult::kAcceptedUnwritten),
             "accepted, but a restart would forget it");

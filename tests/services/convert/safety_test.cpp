@@ -145,10 +145,10 @@ TEST(MissionCommandMessage, CarriesWhomToFollowAndTheFraming) {
 
 TEST(MissionCommandMessage, CarriesAPlaceToReturnTo) {
   CommandMsg msg;
-  to_idl(MissionCommand{.id = 5,
-                        .order = MissionOrder::kSetReturnPlace,
-                        .return_place_enu_m = {3.0, -4.0}},
-         msg);
+  to_idl(
+      MissionCommand{
+          .id = 5, .order = MissionOrder::kSetReturnPlace, .return_place_enu_m = {3.0, -4.0}},
+      msg);
   auto out = from_idl(msg);
   ASSERT_TRUE(out) << out.fault().text;
   EXPECT_EQ(out->return_place_enu_m, (FlightBounds::Corner{3.0, -4.0}));

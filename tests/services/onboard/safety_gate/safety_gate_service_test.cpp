@@ -191,8 +191,8 @@ class SafetyGateOnDds : public ::testing::Test {
   std::deque<px4_msgs::msg::VehicleCommand> waiting_;
   std::vector<AutopilotCommand> asked_;  // of the flight controller, so far
   std::uint64_t plan_id_ = 100, order_id_ = 0;
-  FlightBounds bounds_;            // of an order to set them
-  std::uint32_t person_id_ = 0;    // of an order to follow
+  FlightBounds bounds_;          // of an order to set them
+  std::uint32_t person_id_ = 0;  // of an order to follow
   FlightBounds::Corner return_place_;
   Framing framing_;                // of an order to set it
   std::function<void()> besides_;  // what else comes at 50 Hz
