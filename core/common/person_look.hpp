@@ -26,9 +26,15 @@ struct PersonLook {
   double body_yaw_rad = kNaN;  ///< world ENU, where the chest points; NaN: not known
   double head_yaw_rad = kNaN;  ///< where the nose points; NaN: not known
 
-  std::optional<Appearance> wears;  ///< none: not seen
+  double height_m = kNaN;           ///< as the image shows it; NaN: it does not
+  std::optional<Appearance> wears;  ///< none: not seen; with the height: see wear()
 
   bool known() const { return stamp_s >= 0.0; }
+  /// What the image shows of clothes, together with the height.
+  void wear(const std::optional<Appearance>& clothes) {
+    wears = clothes;
+    if (wears) wears->height_m = height_m;
+  }
 };
 
 }  // namespace foretrack

@@ -43,6 +43,8 @@ ParamRows rows_of_pose(PerceptionParams& p) {
       {"landmark_height_m", &p.landmark_height_m, "m", 0.5, 2.5,
        "height that the landmarks' source assumes of everybody (BlazePose: 1.62)"},
       {"min_visibility", &p.min_visibility, "1", 0.0, 1.0, "landmarks below it are not used"},
+      {"ground_m", &p.ground_m, "m", -1e4, 1e4,
+       "height of the ground on which people stand, in the world"},
       {"min_landmarks", &p.min_landmarks, "1", 4, 33, "fewer agreeing landmarks are no pose"},
       {"consensus_samples", &p.consensus_samples, "1", 1, 500, "pairs tried to find the start"},
       {"consensus_radius_m", &p.consensus_radius_m, "m", 0.02, 2.0,

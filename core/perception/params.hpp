@@ -36,6 +36,7 @@ struct PerceptionParams {
   /// height that the landmarks' source assumes of everybody (BlazePose: 1.62)
   double landmark_height_m = 1.75;
   double min_visibility = 0.5;  ///< landmarks below it are not used
+  double ground_m = 0.0;        ///< height of the ground on which people stand, in the world
   int min_landmarks = 8;        ///< fewer agreeing landmarks are no pose
   int consensus_samples = 24;   ///< pairs tried to find the start
   /// a joint farther from its image ray disagrees with the start

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/perception/body_pose.hpp"
+#include "core/perception/measure_height.hpp"
 
 namespace foretrack {
 namespace {
@@ -66,6 +67,9 @@ PersonLook look_at(const TargetObservation& observation, const BodyPose& body,
   look.landmarks = observation.landmarks;
   set_box(look, params);
   set_yaws(look, T_world_camera.linear() * body.T_camera_human.linear(), params);
+  look.height_m = measure_height(look.landmarks, observation.camera, T_world_camera,
+                                 params.ground_m, params.min_visibility)
+                      .value_or(PersonLook::kNaN);
   return look;
 }
 
@@ -118,7 +122,7 @@ void sight_people(std::span<const OtherPerson> people, double stamp_s, const Cam
     if (!person.pose ||
         !sight_by_landmarks(*person.pose, stamp_s, camera, T_world_camera, adult, out))
       sight_by_box(person.region, stamp_s, camera, T_world_camera, adult, out);
-    if (out.sightings.count > before) out.looks[out.sightings.count - 1].wears = person.wears;
+    if (out.sightings.count > before) out.looks[out.sightings.count - 1].wear(person.wears);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/common/random.hpp"
 #include "core/perception/appearance.hpp"
+#include "core/perception/measure_height.hpp"
 #include "core/simulator/color_camera.hpp"
 #include "services/offline/people/load_person.hpp"
 
@@ -15,10 +16,12 @@ namespace foretrack {
 namespace {
 
 constexpr double kFrame_s = 0.2;
-constexpr double kHeight_m = 1.75;
+constexpr double kHeight_m = 1.75, kHeightSigma_m = 0.07;
+constexpr double kSeen = 0.5;  // visibility of a joint
 constexpr double kNoise_px = 2.0;
 constexpr double kLearnt = 0.2;  // of a look, in what is known of a tracked body
 constexpr std::uint32_t kFirstId = 1;
+constexpr std::uint64_t kHeightsPart = 0x68656967687473;  // of the seed
 
 using Model = std::shared_ptr<const PersonModel>;
 
@@ -28,6 +31,7 @@ struct Actor {
   PersonState state;
   double turn_rad_s = 0.0;
   std::uint32_t id = 0;
+  double height_m = kHeight_m;
   bool here = false, followed = false;
   std::optional<Appearance> look, mean;
 };
@@ -66,6 +70,10 @@ class Stage {
     person_ = other_ = {};
     person_.model = models_[static_cast<std::size_t>(first)];
     other_.model = models_[static_cast<std::size_t>(other)];
+    // Drawn of their own, so that the rest of an event is as it was when all were as tall.
+    Random heights(seed ^ kHeightsPart);
+    person_.height_m += heights.normal(0.0, kHeightSigma_m);
+    other_.height_m = same ? person_.height_m : kHeight_m + heights.normal(0.0, kHeightSigma_m);
     vehicle_ = {};
     vehicle_.position_enu_m = {0.0, 0.0, random_.uniform(1.2, 2.2)};
     vehicle_.q_world_body = Quat(Eigen::AngleAxisd(random_.uniform(-kPi, kPi), Vec3::UnitZ()));
@@ -84,7 +92,7 @@ class Stage {
     actor.here = true;
     actor.mean.reset();
     actor.state.position_enu_m = vehicle_.q_world_body * Vec3(place.x(), place.y(), 0.0);
-    actor.state.position_enu_m.z() = torso_height_m(kHeight_m);
+    actor.state.position_enu_m.z() = torso_height_m(actor.height_m);
     actor.state.body_yaw_rad = random_.uniform(-kPi, kPi);
     actor.state.velocity_enu_m_s.head<2>() =
         random_.uniform(0.0, 1.5) * direction_of(actor.state.body_yaw_rad);
@@ -153,12 +161,12 @@ class Stage {
     camera_.bystanders.clear();
     if (person_.here && other_.here) {
       Person person;
-      person.params.height_m = kHeight_m;
+      person.params.height_m = other_.height_m;
       person.state = other_.state;
       camera_.bystanders.push_back({other_.model, person});
     }
     vehicle_.stamp_s = now_s_;
-    render(camera_, vehicle_, first.state, kHeight_m);
+    render(camera_, vehicle_, first.state, first.height_m);
     auto& rgb = camera_.image.pixels.rgb;
     for (std::size_t i = 0; i < rgb.size(); ++i)
       rgb[i] = static_cast<std::uint8_t>(std::min(255.0, exposure_.gain[i % 3] * rgb[i]));
@@ -170,7 +178,7 @@ class Stage {
     if (!actor.here) return;
     const Pose T_camera_world =
         (vehicle_.T_world_body() * camera_.params.camera.T_body_camera).inverse();
-    const auto joints = joints_enu_m(actor.state, kHeight_m);
+    const auto joints = joints_enu_m(actor.state, actor.height_m);
     PersonPose pose;
     for (int k = 0; k < kLandmarkCount; ++k) {
       const auto px = camera_.params.camera.project(T_camera_world * joints[k]);
@@ -181,6 +189,9 @@ class Stage {
     }
     actor.look = appearance_of(camera_.image.pixels, pose);
     if (!actor.look) return;
+    actor.look->height_m =
+        measure_height(pose.landmarks, camera_.params.camera, T_camera_world.inverse(), 0.0, kSeen)
+            .value_or(PersonLook::kNaN);
     if (actor.mean)
       learn(*actor.mean, *actor.look, kLearnt);
     else

@@ -106,7 +106,7 @@ void PerceptionService::perceive_waiting() {
     delay_s_ = std::clamp(now_s - observation.stamp_s, 0.0, params_.delay_max_s);
     if (result.used_landmarks > 0)
       if (auto look = look_of(observation, vehicle_.history(), params_)) {
-        look->wears = wears;
+        look->wear(wears);
         bodies_state_.followed_look = *look;
       }
     if (result.target.stamp_s > published_s_) publish(result.target);

@@ -65,5 +65,28 @@ TEST(LastingDifference, LegsAreLearntFromWhenTheyAreSeen) {
   EXPECT_NEAR(known.legs[0], 0.1, 1e-12);
 }
 
+TEST(LastingDifference, HeightsCountWhereBothAreKnownAndMoreThanAnImageIsWrongBy) {
+  Appearance man = dressed(), other = dressed();
+  man.height_m = 1.78;
+  EXPECT_EQ(lasting_difference(man, other), 0.0) << "of the other it is not known";
+  other.height_m = 1.74;
+  EXPECT_EQ(lasting_difference(man, other), 0.0);
+  other.height_m = 1.30;
+  EXPECT_GT(lasting_difference(man, other), 0.5) << "a child";
+  EXPECT_EQ(lasting_difference(man, other), lasting_difference(other, man));
+}
+
+TEST(LastingDifference, HeightsAreLearntFromWhenTheyAreSeen) {
+  Appearance known = dressed(), seen = dressed();
+  learn(known, seen, 0.1);
+  EXPECT_TRUE(std::isnan(known.height_m));
+  seen.height_m = 1.7;
+  learn(known, seen, 0.1);
+  EXPECT_EQ(known.height_m, 1.7);
+  seen.height_m = 1.8;
+  learn(known, seen, 0.1);
+  EXPECT_NEAR(known.height_m, 1.71, 1e-12);
+}
+
 }  // namespace
 }  // namespace foretrack
