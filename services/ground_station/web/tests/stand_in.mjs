@@ -7,7 +7,7 @@ import { extname, join } from "node:path";
 import { WebSocketServer } from "ws";
 
 import { flatIdl } from "./flat_idl.mjs";
-import { diagnosticsOf, encode, freeFraming, missionCommand, samplesAt, schemaNameOf, typeOf,
+import { diagnosticsOf, encode, freeFraming, samplesAt, schemaNameOf, typeOf,
 } from "./synthetic.mjs";
 import { pictureAt } from "./synthetic_camera.mjs";
 
@@ -244,14 +244,11 @@ class StandIn {
       order({ command: 11, framing: { ...freeFraming, distance_m: number(more.distance_m),
         height_m: number(more.height_m), bearing_rad: number(more.bearing_rad),
         circling_radps: more.circling_radps } });
-    if (command === "bounds") {
-      const message = missionCommand(this.step / 100, { id: command_id, command: 9, operator_id,
-        fence_m: more.fence_m.flat(), altitude_min_m: number(more.altitude_min_m),
+    if (command === "bounds")
+      order({ command: 9, fence_m: more.fence_m.flat(), altitude_min_m: number(more.altitude_min_m),
         altitude_max_m: number(more.altitude_max_m) });
-      this.send(`/${vehicle}/mission/command`, typeOf("mission/command"),
-        encode(typeOf("mission/command"), message));
-      order({ command: 9 });
-    }
+    if (command === "return_place")
+      order({ command: 12, home_known: true, home_m: [...more.position_m, 0] });
   }
 }
 

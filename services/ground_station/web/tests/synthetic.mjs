@@ -190,13 +190,6 @@ function plan(t, index, id) {
 export const freeFraming =
   { distance_m: NaN, height_m: NaN, bearing_rad: NaN, circling_radps: 0 };
 
-/** As the station passes it on. */
-export function missionCommand(t, more) {
-  return { header: headerOf(t), id: 0n, command: 0, operator_id: "", lease_id: "",
-    proof: new Uint8Array(64), fence_m: [], altitude_min_m: NaN, altitude_max_m: NaN, person_id: 0,
-    framing: freeFraming, ...more };
-}
-
 export function safety(t, more = {}) {
   return { header: headerOf(t), caused_by: stampOf(t - 0.08), mode: 0, reason: 0, text: "",
     phase: 1, request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01,
@@ -205,7 +198,8 @@ export function safety(t, more = {}) {
     yaw_rate_radps: 0,
     command_id: 0n, command: 0, command_result: 0, operator_id: "", lease_operator: "",
     lease_remaining_s: 0, mission_end: 0, asked: 0, answer: 0, dry_run: false, alarm: "",
-    chosen: false, person_id: 0, framing: freeFraming, ...more };
+    chosen: false, person_id: 0, framing: freeFraming, fence_m: [], altitude_min_m: NaN,
+    altitude_max_m: NaN, home_known: true, home_m: [0, 0, 0], ...more };
 }
 
 export function health(t, service, more = {}) {

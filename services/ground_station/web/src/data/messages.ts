@@ -216,6 +216,11 @@ export interface SafetyState {
   chosen?: boolean;
   person_id?: number;
   framing?: TargetFraming;
+  fence_m?: ArrayLike<number>; // x, y of each corner
+  altitude_min_m?: number; // NaN: no bound
+  altitude_max_m?: number;
+  home_known?: boolean;
+  home_m?: Vec3; // where `return` leads
 }
 
 export interface MissionCommand {
@@ -224,11 +229,6 @@ export interface MissionCommand {
   command: number;
   operator_id: string;
   lease_id: string;
-  fence_m?: ArrayLike<number>; // these are missing in older recordings
-  altitude_min_m?: number;
-  altitude_max_m?: number;
-  person_id?: number;
-  framing?: TargetFraming;
 }
 
 export interface ServiceHealth {

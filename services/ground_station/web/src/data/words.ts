@@ -107,7 +107,6 @@ export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as c
 export const ServiceState = { running: 0, degraded: 1, stopping: 2 } as const;
 /** A lease is renewed by an order every second. */
 export const leaseCommand = 6;
-export const boundsCommand = 9;
 export const Result = { accepted: 1, pending: 10, acceptedUnwritten: 11 } as const;
 export const personKind = 0;
 export const Choice = { waiting: 0, following: 1, doubtful: 2, searching: 3, lost: 4 } as const;

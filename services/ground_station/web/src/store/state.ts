@@ -9,13 +9,6 @@ import type { StationStatus } from "../data/station.ts";
 import { History } from "./history.ts";
 import { Series, Trail } from "./series.ts";
 
-/** Where it may fly, as the last order that its gate took said. */
-export interface Bounds {
-  fence_m: [number, number][];
-  altitude_min_m: number | null;
-  altitude_max_m: number | null;
-}
-
 export interface Heard<T> { message: T; time_s: number }
 
 export interface Latest {
@@ -68,8 +61,6 @@ export interface Vehicle {
   targetTrail: Trail;
   poses: History<Odometry>; // by their own stamps, for what was seen then
   looks: History<MovingBodies>;
-  ordered: { command_id: bigint; bounds: Bounds } | null; // not answered yet
-  bounds: Bounds | null; // null: not known
 }
 
 export interface Traffic {
@@ -148,7 +139,7 @@ export function makeVehicle(name: string, before: number): Vehicle {
     latency: new Series(["latency"], 0.02),
     lanes: { person: [], plan: [], mission: [], gate: [] }, caused_by_s: -Infinity,
     trail: new Trail(), targetTrail: new Trail(),
-    poses: new History(), looks: new History(), ordered: null, bounds: null,
+    poses: new History(), looks: new History(),
   };
 }
 

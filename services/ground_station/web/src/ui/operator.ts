@@ -3,13 +3,14 @@
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 
 export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop" |
-  "take_off" | "follow" | "framing" | "bounds";
+  "take_off" | "follow" | "framing" | "bounds" | "return_place";
 /** What an order says besides its name. null: as the parameters have it, or no bound. */
 export type OrderDetails =
   | { person_id: number }
   | { distance_m: number | null; height_m: number | null; bearing_rad: number | null;
       circling_radps: number }
-  | { fence_m: [number, number][]; altitude_min_m: number | null; altitude_max_m: number | null };
+  | { fence_m: [number, number][]; altitude_min_m: number | null; altitude_max_m: number | null }
+  | { position_m: [number, number] };
 export type LeaseAction = "take" | "release" | "hand_over";
 
 const nameKey = "foretrack.operator";

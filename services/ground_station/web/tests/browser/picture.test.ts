@@ -137,10 +137,34 @@ test("a fence is drawn on the map, checked, and sent", async () => {
   await page.locator(".bounds input").nth(1).fill("6");
   await send.click();
   await expectText(page, ".bounds h2", /as it is set/);
+  const later = await open(browser, station.url, { name: "bob" });
+  await later.getByRole("tab", { name: "Fly" }).click();
+  await expectText(later, ".bounds h2", /as it is set/);
+  assert.equal(await later.locator(".fencemap .corner").count(), 4);
+  assert.equal(await later.locator(".bounds input").nth(1).inputValue(), "6");
+  await later.context().close();
   const sent = station.bodies[0] as { fence_m: number[][]; altitude_max_m: number };
   assert.equal(sent.fence_m.length, 4);
   assert.ok(sent.fence_m[0]![1]! > sent.fence_m[2]![1]!, "north is up");
   assert.equal(sent.altitude_max_m, 6);
+});
+
+test("the return place is shown, set on the map or as where the vehicle is, and sent", async () => {
+  await tab("Fly");
+  await expectText(page, '[data-field="home"]', /^0\.0 m east, 0\.0 m north$/);
+  await take();
+  await page.locator(".returnplace button:not([disabled])", { hasText: "On the map" }).click();
+  const map = (await page.locator(".fencemap").boundingBox())!;
+  await page.mouse.click(map.x + 0.8 * map.width, map.y + 0.3 * map.height);
+  await expectText(page, '[data-field="home"]', /not sent yet/);
+  await page.getByRole("button", { name: "Send return place" }).click();
+  await expectText(page, '[data-field="home"]', /^\d+\.\d m east, \d+\.\d m north$/);
+  const [east, north] = (station.bodies[0] as { position_m: number[] }).position_m;
+  assert.ok(east! > 0 && north! > 0, `${east} ${north}`);
+  await page.getByRole("button", { name: "Here" }).click();
+  await page.getByRole("spinbutton", { name: "north" }).fill("-2.5");
+  await page.getByRole("button", { name: "Send return place" }).click();
+  await expectText(page, '[data-field="home"]', /-2\.5 m north$/);
 });
 
 test("the checklist says what is not ready, and take-off is held", async () => {
