@@ -5,7 +5,7 @@ import { type Channel as Announced, FoxgloveClient, type IWebSocket, type Messag
 
 import { SampleQueue } from "./queue.ts";
 import type { Channel, RawSample } from "./sample.ts";
-import { isOnDemand, readingOf, statusTopic } from "./topics.ts";
+import { byName, isOnDemand, partsOf, readingOf, statusTopic } from "./topics.ts";
 
 const protocols = ["foxglove.websocket.v1", "foxglove.sdk.v1"];
 const retry_ms = 1000;
@@ -13,6 +13,7 @@ const jump_s = 5;
 const deaf_s = 6; // the station speaks twice a second; so long without a word: it hangs
 
 export interface LiveEvents {
+  offer(): void; // what can be read is known, and not read yet
   link(open: boolean, reason: string): void;
   problem(text: string): void;
 }
@@ -80,6 +81,8 @@ export class LiveLink {
       if (status.level > 0) this.events.problem(`station: ${status.message}`);
     });
     client.on("advertise", (channels) => {
+      channels.filter((c) => isOnDemand(c.topic)).forEach((c) => this.offered.set(c.topic, c));
+      this.events.offer();
       channels.forEach((c) => this.announce(client, c));
       this.spare(client);
     });
@@ -98,8 +101,9 @@ export class LiveLink {
 
   private announce(client: FoxgloveClient, c: Announced): void {
     if (readingOf(c.topic) === undefined) return;
-    if (isOnDemand(c.topic)) this.offered.set(c.topic, c);
-    if (!isOnDemand(c.topic) || c.topic === this.wanted) this.subscribe(client, c);
+    const isWanted = !isOnDemand(c.topic) || c.topic === this.wanted;
+    const isRead = [...this.subscribed.values()].some((s) => s.channelId === c.id);
+    if (isWanted && !isRead) this.subscribe(client, c);
   }
 
   private subscribe(client: FoxgloveClient, c: Announced): void {
@@ -115,6 +119,11 @@ export class LiveLink {
       if (of.channelId === channelId) this.subscribed.delete(id);
     for (const [topic, { id }] of this.offered)
       if (id === channelId) this.offered.delete(topic);
+  }
+
+  /** Vehicles of which something can be read on demand. */
+  offering(): string[] {
+    return [...this.offered.keys()].map((topic) => partsOf(topic).vehicle).sort(byName);
   }
 
   /** Whether there is such a topic, read or not. */

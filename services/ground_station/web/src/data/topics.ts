@@ -42,6 +42,10 @@ export function isOnDemand(topic: string): boolean {
   return partsOf(topic).name === pictureTopic;
 }
 
+/** uav2 before uav10. */
+export const byName = (a: string, b: string): number =>
+  a.localeCompare(b, undefined, { numeric: true });
+
 export interface TopicParts { vehicle: string; name: string }
 
 const shared = new Set(["tf", "tf_static", "diagnostics", "clock", "station/status",

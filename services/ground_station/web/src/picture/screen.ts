@@ -139,6 +139,7 @@ export class PictureScreen {
     this.host.dataset["lag"] =
       (1e3 * pictureAge_s(this.session.now_s, vehicle, this.stamp_s)).toFixed(0);
     this.host.dataset["first"] ??= performance.now().toFixed(0);
+    this.session.settle();
   }
 
   private paint(): void {

@@ -12,13 +12,12 @@ const inputs = ["pointerdown", "pointermove", "pointerup", "pointercancel", "whe
 
 const start = (): Worker =>
   new Worker(new URL("scene_worker.js", import.meta.url), { type: "module" });
-let early: Worker | null = start(); // while the page is still being made
 
 export class SceneScreen {
   onTap: (tapped: Tapped) => void = () => {};
   kind: ViewKind = "follow";
   cut = true; // walls, so that they hide nothing
-  private readonly worker = early ?? start();
+  private readonly worker = start();
   private readonly canvas = document.createElement("canvas");
   private readonly feed = new SceneFeed();
   private readonly labels = new Map<string, HTMLElement>();
@@ -28,7 +27,6 @@ export class SceneScreen {
   private request = 0;
 
   constructor(private readonly session: Session, private readonly host: HTMLElement) {
-    early = null;
     host.prepend(this.canvas);
     this.worker.onmessage = ({ data }: MessageEvent<FromScene>) => this.hear(data);
     this.worker.onerror = ({ message }) => this.fail(message || "the scene's worker did not start");
