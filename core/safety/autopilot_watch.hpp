@@ -10,7 +10,7 @@
 
 namespace foretrack {
 
-/// kHold: loiter where it is.
+/// kHold: loiter where it is. kHome: to return to another place.
 enum class AutopilotRequest : std::uint8_t {
   kNone,
   kArm,
@@ -18,7 +18,8 @@ enum class AutopilotRequest : std::uint8_t {
   kReturn,
   kLand,
   kTakeOff,
-  kHold
+  kHold,
+  kHome
 };
 
 /// The flight controller's answer to a request.

@@ -161,6 +161,22 @@ AutopilotRequest carry_out(CarryOut& state, Mission& mission, const CarryOutInpu
   return Request::kNone;
 }
 
+AutopilotRequest ask_for_home(HomeAsking& home, CarryOut& state, const CarryOutInput& input,
+                              const CarryOutParams& params) {
+  const bool is_answered = input.ack && input.ack->request == Request::kHome;
+  const bool waits = home.asked_s >= 0.0;
+  if (waits && (is_answered || input.now_s - home.asked_s > params.ask.answer_s)) {
+    state.answer = is_answered ? input.ack->result : CommandResult::kFailed;
+    home.asked_s = -1.0;
+  }
+  if (!home.is_wanted || state.asking.request != Request::kNone) return Request::kNone;
+  home.is_wanted = false;
+  home.asked_s = input.now_s;
+  state.asked = Request::kHome;
+  state.answer = CommandResult::kInProgress;
+  return Request::kHome;
+}
+
 void end_mission(CarryOut& state, Mission& mission, MissionEnd why) {
   mission.engaged = false;
   if (mission.phase != MissionPhase::kStopped) mission.phase = MissionPhase::kIdle;

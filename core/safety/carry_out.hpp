@@ -23,6 +23,13 @@ struct CarryOutInput {
   double heartbeat_since_s = 1e18;  // since when it has been unbroken
 };
 
+/// Another place to return to, as it was ordered.
+struct HomeAsking {
+  FlightBounds::Corner place_enu_m;
+  bool is_wanted = false;  // and not yet asked for
+  double asked_s = -1.0;   // < 0: no answer is waited for
+};
+
 /// What was asked of the flight controller since the last order, and what became of it.
 struct CarryOut {
   Asking asking;
@@ -43,6 +50,11 @@ void begin_phase(CarryOut& state, double now_s, const AutopilotStatus& status);
 /// One tick, with a status that is fresh. Moves the phase on; returns what is to be asked now.
 AutopilotRequest carry_out(CarryOut& state, Mission& mission, const CarryOutInput& input,
                            const CarryOutParams& params);
+
+/// The same of the place to return to, which changes no phase: asked for once, between two requests
+/// of a phase. No answer in time is a failure.
+AutopilotRequest ask_for_home(HomeAsking& home, CarryOut& state, const CarryOutInput& input,
+                              const CarryOutParams& params);
 
 /// Whoever has the vehicle keeps it. The mission is idle; a stopped one stays stopped.
 void end_mission(CarryOut& state, Mission& mission, MissionEnd why);

@@ -102,6 +102,16 @@ void take_plan(GateState& s, const GateInput& in, const SafetyParams& p) {
   start_next(s, in.now_s);
 }
 
+void ask_autopilot(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
+  const bool ready = s.mode == SafetyMode::kTrack && in.now_s - s.last_fresh_s <= p.plan_fresh_s;
+  const CarryOutInput input{in.now_s, in.autopilot, in.ack, ready, s.heartbeat_since_s};
+  const CarryOutParams params = p.carry_out();
+  r.request = carry_out(s.carrying, s.mission, input, params);
+  if (r.request == AutopilotRequest::kNone)
+    r.request = ask_for_home(s.home, s.carrying, input, params);
+  r.return_place_enu_m = s.home.place_enu_m;
+}
+
 // Orders, and what the flight controller lets us do.
 void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResult& r) {
   settle_orders(s.order, s.mission, s.carrying, in.writing);
@@ -110,12 +120,10 @@ void conduct(GateState& s, const GateInput& in, const SafetyParams& p, GateResul
   else
     take_order(s.order, s.mission, s.carrying, *in.command, {in.now_s, in.stamp_now_s},
                in.autopilot, p.mission_rules(), surroundings_of(s, in, p).bodies);
-  if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) {
-    const bool ready = s.mode == SafetyMode::kTrack && in.now_s - s.last_fresh_s <= p.plan_fresh_s;
-    r.request =
-        carry_out(s.carrying, s.mission,
-                  {in.now_s, in.autopilot, in.ack, ready, s.heartbeat_since_s}, p.carry_out());
-  }
+  if (in.command && in.command->order == MissionOrder::kSetReturnPlace &&
+      s.order.result == MissionResult::kAccepted)
+    s.home = {in.command->return_place_enu_m, true};
+  if (is_known(in.autopilot_at_s, in.now_s, p.autopilot_stale_s)) ask_autopilot(s, in, p, r);
 }
 
 void write_memory(GateState& s, const GateInput& in, GateResult& r) {
@@ -266,6 +274,7 @@ void fill_report(const GateState& s, const GateInput& in, GateResult& r) {
   r.refusal = s.refusal;
   r.person = s.mission.person;
   r.framing = s.mission.framing;
+  r.bounds = s.mission.bounds;
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ struct GateState {
   Mission mission;
   OrderState order;
   CarryOut carrying;
+  HomeAsking home;
   GateMemory memory;
   double begun_s = -1.0;  // the first tick
 };
@@ -96,8 +97,10 @@ struct GateResult {
   std::uint64_t plan_id = 0;             // that is flown
   PlanFault refusal = PlanFault::kNone;  // of the last plan that came
   LimitVerdict limit;
-  PersonChoice person;  // as ordered, as is the framing
+  PersonChoice person;  // as ordered, as are framing and bounds
   Framing framing;
+  FlightBounds bounds;
+  FlightBounds::Corner return_place_enu_m;  // of the request for another home
 };
 
 /// The setpoint is of a plan: the vehicle is not held, and nobody else flies it.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/safety/surroundings.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -19,6 +21,8 @@ bool is_allowed(MissionOrder order, MissionPhase phase) {
       return phase == MissionPhase::kHolding;
     case MissionOrder::kReturn:
       return phase != MissionPhase::kLanding;
+    case MissionOrder::kSetReturnPlace:  // not on the way there
+      return phase != MissionPhase::kReturning && phase != MissionPhase::kLanding;
     default:
       return true;
   }
@@ -82,8 +86,15 @@ bool is_there(const MovingBodies* bodies, std::uint32_t id) {
          });
 }
 
-MissionResult judge_setting(const MissionCommand& command, const MissionRules& rules,
-                            const MovingBodies* bodies) {
+bool is_in_fence(const FlightBounds::Corner& place_enu_m, const FlightBounds& bounds) {
+  FlightBounds fence;  // at any altitude
+  fence.corner_count = bounds.corner_count;
+  fence.corners_enu_m = bounds.corners_enu_m;
+  return room_m(fence, Vec3(place_enu_m.x_m, place_enu_m.y_m, 0.0)) >= 0.0;
+}
+
+MissionResult judge_setting(const MissionCommand& command, const FlightBounds& bounds,
+                            const MissionRules& rules, const MovingBodies* bodies) {
   switch (command.order) {
     case MissionOrder::kSetBounds:
       return are_valid(command.bounds) ? MissionResult::kAccepted : MissionResult::kRefusedBounds;
@@ -94,6 +105,9 @@ MissionResult judge_setting(const MissionCommand& command, const MissionRules& r
     case MissionOrder::kSetFraming:
       return is_safe(command.framing, rules.framing) ? MissionResult::kAccepted
                                                      : MissionResult::kRefusedFraming;
+    case MissionOrder::kSetReturnPlace:
+      return is_in_fence(command.return_place_enu_m, bounds) ? MissionResult::kAccepted
+                                                             : MissionResult::kRefusedPlace;
     default:
       return MissionResult::kAccepted;
   }
@@ -128,7 +142,7 @@ MissionResult apply(const MissionCommand& command, Mission& mission, const Momen
   if (const OrderMark mark = mark_of(command, moment); mark > mission.last_order)
     mission.last_order = mark;
   if (!is_allowed(command.order, mission.phase)) return MissionResult::kRefusedPhase;
-  if (const auto setting = judge_setting(command, rules, bodies);
+  if (const auto setting = judge_setting(command, mission.bounds, rules, bodies);
       setting != MissionResult::kAccepted)
     return setting;
   execute(command, mission, moment, rules);
@@ -143,7 +157,7 @@ bool needs_memory(MissionOrder order) {
     case MissionOrder::kLease:
       return true;
     default:
-      return is_setting(order);
+      return is_setting(order) && order != MissionOrder::kSetReturnPlace;
   }
 }
 
@@ -153,9 +167,10 @@ bool is_active(MissionPhase phase) {
 }
 
 std::string_view to_string(MissionOrder order) {
-  constexpr std::array<std::string_view, 12> names = {
-      "start", "hold",    "resume",   "return",     "land",   "stop",
-      "lease", "release", "take_off", "set_bounds", "follow", "set_framing"};
+  constexpr std::array<std::string_view, 13> names = {
+      "start",  "hold",        "resume",          "return",   "land",
+      "stop",   "lease",       "release",         "take_off", "set_bounds",
+      "follow", "set_framing", "set_return_place"};
   return names[static_cast<std::size_t>(order)];
 }
 std::string_view to_string(MissionPhase phase) {
@@ -164,7 +179,7 @@ std::string_view to_string(MissionPhase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 std::string_view to_string(MissionResult result) {
-  constexpr std::array<std::string_view, 14> names = {
+  constexpr std::array<std::string_view, 15> names = {
       "none",
       "accepted",
       "refused: too late",
@@ -178,7 +193,8 @@ std::string_view to_string(MissionResult result) {
       "acts, and is being written",
       "accepted, but a restart would forget it",
       "refused: nobody of that number is there",
-      "refused: this framing is out of its safe ranges"};
+      "refused: this framing is out of its safe ranges",
+      "refused: this place is outside of the fence"};
   return names[static_cast<std::size_t>(result)];
 }
 

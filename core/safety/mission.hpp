@@ -24,8 +24,9 @@ enum class MissionOrder : std::uint8_t {
   kRelease,  // give it back
   kTakeOff,  // by the flight controller, which then holds
   kSetBounds,
-  kFollow,      // a person, or nobody
-  kSetFraming,  // from where they are to be seen
+  kFollow,          // a person, or nobody
+  kSetFraming,      // from where they are to be seen
+  kSetReturnPlace,  // which the flight controller keeps
 };
 
 /// An order, with who gave it and when.
@@ -39,6 +40,7 @@ struct MissionCommand {
   FlightBounds bounds = {};      // of kSetBounds
   std::uint32_t person_id = 0;   // of kFollow: a number of bodies; 0: nobody
   Framing framing = {};          // of kSetFraming
+  FlightBounds::Corner return_place_enu_m = {};  // of kSetReturnPlace
 };
 
 /// Whom an operator said to follow.
@@ -86,6 +88,7 @@ enum class MissionResult : std::uint8_t {
   kAcceptedUnwritten,  // acts, and would not outlive a restart
   kRefusedPerson,      // nobody of that number is there
   kRefusedFraming,     // not safe
+  kRefusedPlace,       // outside of the fence
 };
 
 /// For logs and displays.
@@ -144,10 +147,11 @@ constexpr bool is_accepted(MissionResult result) {
          result == MissionResult::kAcceptedUnwritten;
 }
 
-/// Bounds, whom to follow, and framing: they outlive who ordered them, and change no phase.
+/// Bounds, whom to follow, framing, the place to return to: they outlive who ordered them, and
+/// change no phase.
 constexpr bool is_setting(MissionOrder order) {
   return order == MissionOrder::kSetBounds || order == MissionOrder::kFollow ||
-         order == MissionOrder::kSetFraming;
+         order == MissionOrder::kSetFraming || order == MissionOrder::kSetReturnPlace;
 }
 
 /// Must outlive a restart, so that it is refused when it cannot be written.

@@ -78,6 +78,13 @@ bool disarm(Autopilot& autopilot, bool forced, const VehicleState& vehicle) {
   return true;
 }
 
+std::optional<CommandResult> take_home(Autopilot& autopilot, const Vec3& home_enu_m) {
+  if (autopilot.manner == Autopilot::Manner::kIgnores) return std::nullopt;
+  if (autopilot.manner == Autopilot::Manner::kDenies) return CommandResult::kDenied;
+  autopilot.home_enu_m.head<2>() = home_enu_m.head<2>();
+  return CommandResult::kAccepted;
+}
+
 std::optional<CommandResult> obey(Autopilot& autopilot, const AutopilotCommand& command,
                                   const VehicleState& vehicle) {
   const bool is_ours =
@@ -240,6 +247,7 @@ const Setpoint& update_autopilot(Autopilot& autopilot, const AutopilotInput& inp
   suffer_what_is_due(autopilot, vehicle);
   watch_heartbeat(autopilot, vehicle);
   if (input.command) autopilot.answer = obey(autopilot, *input.command, vehicle);
+  if (input.home_enu_m) autopilot.answer = take_home(autopilot, *input.home_enu_m);
   watch_ground(autopilot, vehicle);
   switch (autopilot.status.mode) {
     case FlightMode::kOffboard:

@@ -27,8 +27,9 @@ struct AutopilotParams {
 /// What reaches the autopilot in one step.
 struct AutopilotInput {
   bool heartbeat = false;  // OffboardControlMode
-  std::optional<Setpoint> setpoint;
-  std::optional<AutopilotCommand> command;
+  std::optional<Setpoint> setpoint = {};
+  std::optional<AutopilotCommand> command = {};
+  std::optional<Vec3> home_enu_m = {};  // a command to return there; its height is ignored
 };
 
 /// The simulated flight controller: its parameters and what it remembers.

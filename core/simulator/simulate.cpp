@@ -196,6 +196,7 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   out.answer = state.autopilot.answer;
   out.trouble = state.autopilot.trouble;
   out.offboard_possible = may_fly_offboard(state.autopilot, out.now_s);
+  out.home_enu_m = state.autopilot.home_enu_m;
   drain(out.battery, out.acceleration_enu_m_s2.z(), out.acceleration_enu_m_s2.head<2>().norm(),
         motors_turn(state.autopilot), dt_s);
   out.target = state.person.state;

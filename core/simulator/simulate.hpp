@@ -19,6 +19,7 @@ struct SimulatorOutput {
   AutopilotStatus autopilot;
   bool offboard_possible = false;       // on request
   bool trouble = false;                 ///< what a failsafe acts for
+  Vec3 home_enu_m = Vec3::Zero();       // to where it returns
   std::optional<CommandResult> answer;  // to the step's command
   Battery battery;
   std::optional<TargetObservation> observation;  // delivered in this step; none with color images

@@ -9,12 +9,14 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "core/common/geometry.hpp"
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
 #include "services/common/options.hpp"
 #include "services/common/stop.hpp"
+#include "services/convert/checks.hpp"
 #include "services/files/config/load_bounds.hpp"
 #include "services/operator/find_nearest.hpp"
 #include "services/operator/order_sender.hpp"
@@ -26,6 +28,7 @@ struct OrderArguments {
   NodeOptions node;
   std::string order, whom, operator_name = "terminal", bounds_file, side;
   Framing framing;
+  std::vector<double> place_enu_m;
   double patience_s = 10.0;
 };
 
@@ -59,6 +62,10 @@ MissionCommand command_of(const OrderArguments& arguments) {
   if (!arguments.side.empty()) command.framing.bearing_rad = kSides.at(arguments.side);
   if (command.order != MissionOrder::kSetFraming && !command.framing.is_free())
     throw std::invalid_argument("--distance, --height, --bearing, --circling are of framing");
+  if ((command.order == MissionOrder::kSetReturnPlace) == arguments.place_enu_m.empty())
+    throw std::invalid_argument("return_place, and it alone, comes with --place X Y");
+  if (!arguments.place_enu_m.empty())
+    command.return_place_enu_m = {arguments.place_enu_m[0], arguments.place_enu_m[1]};
   return command;
 }
 
@@ -115,7 +122,8 @@ std::function<int()> prepare_order(CLI::App& app) {
   auto arguments = std::make_shared<OrderArguments>();
   add_bus_options(app, arguments->node);
   app.add_option("order", arguments->order,
-                 "start, hold, resume, return, land, stop, take_off, bounds, follow or framing")
+                 "start, hold, resume, return, land, stop, take_off, bounds, follow, framing or "
+                 "return_place")
       ->required()
       ->check([](const std::string& name) {
         return order_of(name) ? std::string() : "there is no order '" + name + "'";
@@ -125,6 +133,10 @@ std::function<int()> prepare_order(CLI::App& app) {
                  "Of bounds: fence_m, altitude_min_m, altitude_max_m")
       ->check(CLI::ExistingFile);
   add_framing_options(app, *arguments);
+  app.add_option("--place", arguments->place_enu_m,
+                 "Of return_place: x and y in the world frame, in metres")
+      ->expected(2)
+      ->check(CLI::Range(-limits::kPosition_m, limits::kPosition_m));
   app.add_option("--operator", arguments->operator_name, "Who gives it")->capture_default_str();
   app.add_option("--for", arguments->patience_s, "Wait so many seconds for the answer")
       ->check(CLI::PositiveNumber)

@@ -256,6 +256,14 @@ constexpr auto kDefinitions = std::to_array<Definition>({
     {"TimesyncStatus", 15, 18, 0,
      "uint64 timestamp, uint8 source_protocol, uint64 remote_timestamp, "
      "int64 observed_offset, int64 estimated_offset, uint32 round_trip_time"},
+    {"HomePosition", 15, 16, 0,
+     "uint64 timestamp, float64 lat, float64 lon, float32 alt, float32 x, float32 y, "
+     "float32 z, float32 yaw, bool valid_alt, bool valid_hpos, bool valid_lpos, "
+     "bool manual_home, uint32 update_count"},
+    {"HomePosition", 17, 18, 1,
+     "uint64 timestamp, float64 lat, float64 lon, float32 alt, float32 x, float32 y, "
+     "float32 z, float32 roll, float32 pitch, float32 yaw, bool valid_alt, bool valid_hpos, "
+     "bool valid_lpos, bool manual_home, uint32 update_count"},
 });
 
 int minor_of(std::string_view release) {

@@ -212,6 +212,11 @@ struct Px4BatteryStatus {
   static constexpr TopicInfo info{"fmu/out/battery_status", Scope::kPx4, "sensor",
                                   kAutopilot | kSimulator};
 };
+struct Px4HomePosition {
+  using Type = px4_msgs::msg::HomePosition;
+  static constexpr TopicInfo info{"fmu/out/home_position", Scope::kPx4, "sensor",
+                                  kAutopilot | kSimulator};
+};
 struct Px4FailsafeFlags {
   using Type = px4_msgs::msg::FailsafeFlags;
   static constexpr TopicInfo info{"fmu/out/failsafe_flags", Scope::kPx4, "sensor",
@@ -254,8 +259,8 @@ using All =
                GroundImage, GroundVideo, GroundCameraInfo, FleetMember, FleetDivision, FleetBodies,
                FleetTarget, PredictionPath, PlanPath, Markers, Transforms, StaticTransforms,
                Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
-               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4FailsafeFlags,
-               Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
+               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4HomePosition,
+               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
                Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

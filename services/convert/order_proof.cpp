@@ -47,7 +47,7 @@ std::string bits_of(double value) {
 std::string signed_text(std::string_view vehicle, const Order& order) {
   const std::string_view name = order.operator_id().c_str();
   const auto& stamp = order.header().stamp();
-  std::string text = fmt::format("foretrack order 2\n{}:{}\n{} {}\n{} {}\n{}:{}\n{}\n",
+  std::string text = fmt::format("foretrack order 3\n{}:{}\n{} {}\n{} {}\n{}:{}\n{}\n",
                                  vehicle.size(), vehicle, stamp.sec(), stamp.nanosec(), order.id(),
                                  order.command(), name.size(), name, order.lease_id().c_str());
   for (const double value : order.fence_m()) text += bits_of(value);
@@ -55,7 +55,8 @@ std::string signed_text(std::string_view vehicle, const Order& order) {
   return text + '\n' + bits_of(order.altitude_min_m()) + bits_of(order.altitude_max_m()) +
          fmt::format("\n{}\n", order.person_id()) + bits_of(framing.distance_m()) +
          bits_of(framing.height_m()) + bits_of(framing.bearing_rad()) +
-         bits_of(framing.circling_radps());
+         bits_of(framing.circling_radps()) + bits_of(order.return_place_m()[0]) +
+         bits_of(order.return_place_m()[1]);
 }
 
 const unsigned char* bytes_of(const std::string& text) {

@@ -4,7 +4,7 @@
 // which never leaves its holder. The signature is over all of the order and the vehicle's name, so
 // that no part of it can be changed and none be played to another vehicle. What is signed, as text:
 //
-//   foretrack order 2
+//   foretrack order 3
 //   LENGTH:VEHICLE
 //   SEC NANOSEC            of the stamp
 //   ID COMMAND
@@ -13,7 +13,8 @@
 //    X Y X Y …             of the fence; each number as the 16 hexadecimal digits of its bits, each
 //    MIN MAX               after a space; so are the altitudes
 //   PERSON
-//    DISTANCE HEIGHT BEARING CIRCLING   of the framing, as bits too, and no end of line after them
+//    DISTANCE HEIGHT BEARING CIRCLING X Y   of the framing and of the place to return to, as bits
+//                           too, and no end of line after them
 #pragma once
 
 #include <array>

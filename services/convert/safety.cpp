@@ -26,6 +26,7 @@ static_assert(o::COMMAND_TAKE_OFF == int(MissionOrder::kTakeOff));
 static_assert(o::COMMAND_SET_BOUNDS == int(MissionOrder::kSetBounds));
 static_assert(o::COMMAND_FOLLOW == int(MissionOrder::kFollow));
 static_assert(o::COMMAND_SET_FRAMING == int(MissionOrder::kSetFraming));
+static_assert(o::COMMAND_SET_RETURN_PLACE == int(MissionOrder::kSetReturnPlace));
 static_assert(s::MODE_TRACK == int(SafetyMode::kTrack));
 static_assert(s::MODE_COAST == int(SafetyMode::kCoast));
 static_assert(s::MODE_HOVER == int(SafetyMode::kHover));
@@ -66,6 +67,7 @@ static_assert(s::REQUEST_RETURN == int(AutopilotRequest::kReturn));
 static_assert(s::REQUEST_LAND == int(AutopilotRequest::kLand));
 static_assert(s::REQUEST_TAKE_OFF == int(AutopilotRequest::kTakeOff));
 static_assert(s::REQUEST_HOLD == int(AutopilotRequest::kHold));
+static_assert(s::REQUEST_HOME == int(AutopilotRequest::kHome));
 static_assert(s::RESULT_NONE == int(MissionResult::kNone));
 static_assert(s::RESULT_ACCEPTED == int(MissionResult::kAccepted));
 static_assert(s::RESULT_REFUSED_LATE == int(MissionResult::kRefusedLate));
@@ -80,6 +82,7 @@ static_assert(s::RESULT_PENDING == int(MissionResult::kPending));
 static_assert(s::RESULT_ACCEPTED_UNWRITTEN == int(MissionResult::kAcceptedUnwritten));
 static_assert(s::RESULT_REFUSED_PERSON == int(MissionResult::kRefusedPerson));
 static_assert(s::RESULT_REFUSED_FRAMING == int(MissionResult::kRefusedFraming));
+static_assert(s::RESULT_REFUSED_PLACE == int(MissionResult::kRefusedPlace));
 static_assert(s::ANSWER_CANCELLED == int(CommandResult::kCancelled));
 static_assert(s::END_PILOT == int(MissionEnd::kPilot));
 static_assert(s::END_STICKS == int(MissionEnd::kSticks));
@@ -97,7 +100,9 @@ static_assert(s::END_FENCE == int(MissionEnd::kFence));
 static_assert(s::END_BATTERY == int(MissionEnd::kBattery));
 static_assert(s::END_LINK == int(MissionEnd::kLink));
 
-void set_bounds(const FlightBounds& in, msg::MissionCommand& out) {
+// As an order has them, and the state.
+template <typename Message>
+void write_bounds(const FlightBounds& in, Message& out) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   out.fence_m().clear();
   for (int i = 0; i < in.corner_count; ++i)
@@ -107,7 +112,8 @@ void set_bounds(const FlightBounds& in, msg::MissionCommand& out) {
   out.altitude_max_m(std::isfinite(in.altitude_max_m) ? in.altitude_max_m : kNaN);
 }
 
-FlightBounds read_bounds(Checks& checks, const msg::MissionCommand& in) {
+template <typename Message>
+FlightBounds read_bounds(Checks& checks, const Message& in) {
   FlightBounds out;
   const auto& fence = in.fence_m();
   if (fence.size() % 2 != 0 || fence.size() > 2 * FlightBounds::kMaxCorners)
@@ -206,15 +212,16 @@ void to_idl(const MissionCommand& in, msg::MissionCommand& out) {
   out.operator_id(std::string(in.operator_name.view()));
   out.lease_id(std::string(in.lease_id.view()));
   out.proof({});
-  set_bounds(in.bounds, out);
+  write_bounds(in.bounds, out);
   out.person_id(in.person_id);
   write_framing(in.framing, out.framing());
+  out.return_place_m({in.return_place_enu_m.x_m, in.return_place_enu_m.y_m});
 }
 
 Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   Checks checks;
   checks.stamp("header.stamp", in.header().stamp());
-  checks.enumerator("command", in.command(), o::COMMAND_SET_FRAMING);
+  checks.enumerator("command", in.command(), o::COMMAND_SET_RETURN_PLACE);
   if (in.id() == 0) checks.fail("id", "0", "1 or more");
   MissionCommand out;
   out.id = in.id();
@@ -225,6 +232,12 @@ Converted<MissionCommand> from_idl(const msg::MissionCommand& in) {
   if (out.order == MissionOrder::kSetBounds) out.bounds = read_bounds(checks, in);
   if (out.order == MissionOrder::kFollow) out.person_id = in.person_id();
   if (out.order == MissionOrder::kSetFraming) out.framing = read_framing(checks, in.framing());
+  if (out.order == MissionOrder::kSetReturnPlace) {
+    const auto& [x_m, y_m] =
+        out.return_place_enu_m = {in.return_place_m()[0], in.return_place_m()[1]};
+    checks.within("return_place_m", x_m, limits::kPosition_m);
+    checks.within("return_place_m", y_m, limits::kPosition_m);
+  }
   return checks.result(out);
 }
 
@@ -261,6 +274,9 @@ void to_idl(const GateReport& in, msg::SafetyState& out) {
   out.chosen(r.person.made);
   out.person_id(r.person.person_id);
   write_framing(r.framing, out.framing());
+  write_bounds(r.bounds, out);
+  out.home_known(in.home_enu_m.has_value());
+  out.home_m(to_array(in.home_enu_m.value_or(Vec3::Zero())));
 }
 
 Converted<GateReport> from_idl(const msg::SafetyState& in) {
@@ -271,11 +287,11 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   checks.enumerator("mode", in.mode(), s::MODE_SILENT);
   checks.enumerator("reason", in.reason(), s::REASON_IMAGES);
   checks.enumerator("phase", in.phase(), s::PHASE_TAKING_OFF);
-  checks.enumerator("request", in.request(), s::REQUEST_HOLD);
-  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_FRAMING);
-  checks.enumerator("command", in.command(), o::COMMAND_SET_FRAMING);
+  checks.enumerator("request", in.request(), s::REQUEST_HOME);
+  checks.enumerator("command_result", in.command_result(), s::RESULT_REFUSED_PLACE);
+  checks.enumerator("command", in.command(), o::COMMAND_SET_RETURN_PLACE);
   checks.enumerator("mission_end", in.mission_end(), s::END_LINK);
-  checks.enumerator("asked", in.asked(), s::REQUEST_HOLD);
+  checks.enumerator("asked", in.asked(), s::REQUEST_HOME);
   checks.enumerator("answer", in.answer(), s::ANSWER_CANCELLED);
   checks.within("lease_remaining_s", in.lease_remaining_s(), 1e10);
   checks.within("plan_age_s", in.plan_age_s(), 1e10);
@@ -285,6 +301,11 @@ Converted<GateReport> from_idl(const msg::SafetyState& in) {
   if (in.setpoint_valid()) r.setpoint = read_setpoint(checks, in);
   r.person = {in.chosen(), in.person_id()};
   r.framing = read_framing(checks, in.framing());
+  r.bounds = read_bounds(checks, in);
+  if (in.home_known()) {
+    checks.within("home_m", in.home_m(), limits::kPosition_m);
+    out.home_enu_m = to_vec3(in.home_m());
+  }
   out.stamp_s = seconds(in.header().stamp());
   out.caused_by_s = seconds(in.caused_by());
   out.odometry_age_s = in.odometry_age_s();

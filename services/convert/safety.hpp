@@ -28,6 +28,7 @@ struct GateReport {
   std::string hindrance = {};  // why the autopilot would refuse offboard mode; part of the text
   std::string alarm = {};      // a second writer of an input; empty: none
   bool dry_run = false;        // nothing is sent to the autopilot
+  std::optional<Vec3> home_enu_m = {};  // where the flight controller would return to
 };
 void to_idl(const GateReport& report, foretrack_msgs::msg::SafetyState& out);
 Converted<GateReport> from_idl(const foretrack_msgs::msg::SafetyState& in);

@@ -107,7 +107,8 @@ std::optional<MissionOrder> order_of(std::string_view name) {
     if (to_string(order) == name) return order;
   if (name == "bounds") return MissionOrder::kSetBounds;
   if (name == "follow") return MissionOrder::kFollow;
-  return name == "framing" ? std::optional(MissionOrder::kSetFraming) : std::nullopt;
+  if (name == "framing") return MissionOrder::kSetFraming;
+  return name == "return_place" ? std::optional(MissionOrder::kSetReturnPlace) : std::nullopt;
 }
 
 }  // namespace foretrack

@@ -19,6 +19,7 @@
 #include "octomap_msgs/msg/Octomap.h"
 #include "px4_msgs/msg/BatteryStatus.h"
 #include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/HomePosition.h"
 #include "px4_msgs/msg/ManualControlSetpoint.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TimesyncStatus.h"

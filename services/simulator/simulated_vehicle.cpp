@@ -4,6 +4,7 @@
 #include "services/convert/geometry.hpp"
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
+#include "services/convert/px4_home.hpp"
 
 namespace foretrack {
 namespace {
@@ -41,22 +42,29 @@ AutopilotInput SimulatedVehicle::take_input() {
   input.heartbeat = heartbeat_.take_newest() != nullptr;
   input.setpoint = setpoint_.take_newest_as(
       [](const px4_msgs::msg::TrajectorySetpoint& message) { return from_idl(message); });
-  input.command = take_command();
+  take_command(input);
   return input;
 }
 
 // One a step, in the order of their arrival; others wait.
-std::optional<AutopilotCommand> SimulatedVehicle::take_command() {
+void SimulatedVehicle::take_command(AutopilotInput& input) {
   command_.take_each([this](const px4_msgs::msg::VehicleCommand& message) {
     if (commands_.size() < kMaxCommands) commands_.push_back(message);
   });
-  if (commands_.empty()) return std::nullopt;
-  const auto command = from_idl(commands_.front());
-  if (command) return *command;
+  if (commands_.empty()) return;
+  const auto& first = commands_.front();
+  const bool is_ours = first.target_system() == state_.autopilot.status.system_id;
+  if (const auto home = home_asked_by(first); home && is_ours) {
+    input.home_enu_m = local_of(kOriginOfWorlds, *home);
+    return;
+  }
+  const auto command = from_idl(first);
+  if (command) {
+    input.command = *command;
+    return;
+  }
   command_.refuse(command.fault());
-  if (commands_.front().target_system() == state_.autopilot.status.system_id)
-    answer(CommandResult::kUnsupported);
-  return std::nullopt;
+  if (is_ours) answer(CommandResult::kUnsupported);
 }
 
 }  // namespace foretrack

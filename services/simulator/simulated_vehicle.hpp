@@ -28,7 +28,7 @@ class SimulatedVehicle {
  private:
   void answer(CommandResult result);
   AutopilotInput take_input();
-  std::optional<AutopilotCommand> take_command();
+  void take_command(AutopilotInput& input);
 
   SimulatorState state_;
   Reader<topics::Px4OffboardControlMode> heartbeat_;

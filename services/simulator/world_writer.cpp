@@ -42,6 +42,7 @@ WorldWriter::WorldWriter(Node& node, const Scenario& scenario, const World& worl
       px4_position_(node),
       px4_status_(node),
       px4_battery_(node),
+      px4_home_(node),
       px4_flags_(node),
       px4_sticks_(node),
       depth_(node),
@@ -80,6 +81,7 @@ void WorldWriter::publish_vehicle(const SimulatorOutput& out) {
   px4_odometry_.write();
   if (!every(kPositionSteps)) return;
   to_idl(out.vehicle, px4_position_.sample());
+  set_origin(kOriginOfWorlds, px4_position_.sample());
   px4_position_.write();
   if (transforms_.readers() == 0) return;
   to_transform(out.vehicle, body_frame_, transforms_.sample());
@@ -90,6 +92,8 @@ void WorldWriter::publish_autopilot(const SimulatorOutput& out) {
   if (every(kBatterySteps)) {
     to_idl(out.battery.state(), out.now_s, px4_battery_.sample());
     px4_battery_.write();
+    to_idl(kOriginOfWorlds, out.home_enu_m, out.now_s, px4_home_.sample());
+    px4_home_.write();
   }
   const bool news = out.offboard_possible != offboard_possible_ || out.trouble != trouble_;
   if (news || every(kFlagsSteps)) {

@@ -12,6 +12,7 @@
 #include "nav_msgs/msg/Odometry.h"
 #include "px4_msgs/msg/BatteryStatus.h"
 #include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/HomePosition.h"
 #include "px4_msgs/msg/ManualControlSetpoint.h"
 #include "px4_msgs/msg/VehicleLocalPosition.h"
 #include "px4_msgs/msg/VehicleOdometry.h"
@@ -19,9 +20,13 @@
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/Image.h"
 #include "services/common/service.hpp"
+#include "services/convert/px4_home.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
+
+/// Where the simulated worlds' origins lie on the Earth.
+inline constexpr GlobalPlace kOriginOfWorlds{52.5145, 13.3501, 35.0};
 
 class WorldWriter {
  public:
@@ -48,6 +53,7 @@ class WorldWriter {
   Writer<topics::Px4VehicleLocalPosition> px4_position_;
   Writer<topics::Px4VehicleStatus> px4_status_;
   Writer<topics::Px4BatteryStatus> px4_battery_;
+  Writer<topics::Px4HomePosition> px4_home_;
   Writer<topics::Px4FailsafeFlags> px4_flags_;
   Writer<topics::Px4ManualControlSetpoint> px4_sticks_;
   std::optional<Writer<topics::TargetObservation>> observation_;  // not beside images

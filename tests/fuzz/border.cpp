@@ -17,6 +17,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
+#include "services/convert/px4_home.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/trajectory.hpp"
@@ -55,25 +56,16 @@ void feed(const CdrBytes& bytes) {
 }
 
 constexpr std::array kFeeds = {
-    feed<foretrack_msgs::msg::MovingBodies>,
-    feed<foretrack_msgs::msg::BodySightings>,
-    feed<sensor_msgs::msg::CameraInfo>,
-    feed<foretrack_msgs::msg::LocalMap>,
-    feed<foretrack_msgs::msg::TargetIntention>,
-    feed<foretrack_msgs::msg::TargetPrediction>,
-    feed<px4_msgs::msg::TrajectorySetpoint>,
-    feed<px4_msgs::msg::VehicleOdometry>,
-    feed<px4_msgs::msg::VehicleStatus>,
-    feed<px4_msgs::msg::VehicleCommand>,
-    feed<px4_msgs::msg::BatteryStatus>,
-    feed<foretrack_msgs::msg::MissionCommand>,
-    feed<foretrack_msgs::msg::SafetyState>,
-    feed<foretrack_msgs::msg::TargetObservation>,
-    feed<foretrack_msgs::msg::TargetState>,
-    feed<foretrack_msgs::msg::PlannedTrajectory>,
-    feed<nav_msgs::msg::Odometry>,
-    feed<foretrack_msgs::msg::FleetMember>,
-    feed<foretrack_msgs::msg::FleetDivision>,
+    feed<foretrack_msgs::msg::MovingBodies>,      feed<foretrack_msgs::msg::BodySightings>,
+    feed<sensor_msgs::msg::CameraInfo>,           feed<foretrack_msgs::msg::LocalMap>,
+    feed<foretrack_msgs::msg::TargetIntention>,   feed<foretrack_msgs::msg::TargetPrediction>,
+    feed<px4_msgs::msg::TrajectorySetpoint>,      feed<px4_msgs::msg::VehicleOdometry>,
+    feed<px4_msgs::msg::VehicleStatus>,           feed<px4_msgs::msg::VehicleCommand>,
+    feed<px4_msgs::msg::BatteryStatus>,           feed<px4_msgs::msg::HomePosition>,
+    feed<foretrack_msgs::msg::MissionCommand>,    feed<foretrack_msgs::msg::SafetyState>,
+    feed<foretrack_msgs::msg::TargetObservation>, feed<foretrack_msgs::msg::TargetState>,
+    feed<foretrack_msgs::msg::PlannedTrajectory>, feed<nav_msgs::msg::Odometry>,
+    feed<foretrack_msgs::msg::FleetMember>,       feed<foretrack_msgs::msg::FleetDivision>,
 };
 
 }  // namespace

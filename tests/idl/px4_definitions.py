@@ -18,7 +18,7 @@ TABLE = Path(__file__).resolve().parents[2] / "services/common/px4_releases.cpp"
 RELEASES = (15, 16, 17, 18)
 MESSAGES = ("VehicleStatus", "BatteryStatus", "VehicleLocalPosition", "FailsafeFlags", "VehicleOdometry",
             "VehicleControlMode", "VehicleCommand", "VehicleCommandAck", "ManualControlSetpoint",
-            "OffboardControlMode", "TrajectorySetpoint", "TimesyncStatus")
+            "OffboardControlMode", "TrajectorySetpoint", "TimesyncStatus", "HomePosition")
 
 
 def show(folder, release, message):

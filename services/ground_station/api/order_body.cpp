@@ -21,6 +21,7 @@ std::optional<MissionOrder> order_named(const Body& body) {
     if (to_string(order) == word) return order;
   if (word == "follow") return MissionOrder::kFollow;
   if (word == "framing") return MissionOrder::kSetFraming;
+  if (word == "return_place") return MissionOrder::kSetReturnPlace;
   return word == "bounds" ? std::optional(MissionOrder::kSetBounds) : std::nullopt;
 }
 
@@ -40,20 +41,22 @@ void read_person(Checks& checks, const Body& body, std::uint32_t& id) {
   id = it->get<std::uint32_t>();
 }
 
+void read_place(Checks& checks, const Body& place, const char* key, FlightBounds::Corner& out) {
+  const bool is_pair =
+      place.is_array() && place.size() == 2 && place[0].is_number() && place[1].is_number();
+  if (!is_pair) return checks.fail(key, place.dump(), "[x, y]");
+  out = {place[0].get<double>(), place[1].get<double>()};
+  checks.within(key, out.x_m, limits::kPosition_m);
+  checks.within(key, out.y_m, limits::kPosition_m);
+}
+
 void read_fence(Checks& checks, const Body& body, FlightBounds& bounds) {
   const auto it = body.find("fence_m");
   if (it == body.end() || it->is_null()) return;
   if (!it->is_array() || it->size() > FlightBounds::kMaxCorners)
     return checks.fail("fence_m", "no list of that", "32 corners at most");
-  for (const Body& corner : *it) {
-    const bool is_pair =
-        corner.is_array() && corner.size() == 2 && corner[0].is_number() && corner[1].is_number();
-    if (!is_pair) return checks.fail("fence_m", corner.dump(), "corners [x, y]");
-    const auto& [x_m, y_m] = bounds.corners_enu_m[bounds.corner_count++] = {
-        corner[0].get<double>(), corner[1].get<double>()};
-    checks.within("fence_m", x_m, limits::kPosition_m);
-    checks.within("fence_m", y_m, limits::kPosition_m);
-  }
+  for (const Body& corner : *it)
+    read_place(checks, corner, "fence_m", bounds.corners_enu_m[bounds.corner_count++]);
 }
 
 }  // namespace
@@ -64,7 +67,8 @@ Converted<MissionCommand> read_order(const Body& body) {
   const auto order = order_named(body);
   if (!order)
     checks.fail("command", "no such thing",
-                "start, hold, resume, return, land, stop, take_off, follow, framing or bounds");
+                "start, hold, resume, return, land, stop, take_off, follow, framing, bounds or "
+                "return_place");
   command.order = order.value_or(MissionOrder::kStop);
   if (order == MissionOrder::kFollow) read_person(checks, body, command.person_id);
   if (order == MissionOrder::kSetFraming) {
@@ -80,6 +84,8 @@ Converted<MissionCommand> read_order(const Body& body) {
     read_number(checks, body, "altitude_min_m", limits::kPosition_m, bounds.altitude_min_m);
     read_number(checks, body, "altitude_max_m", limits::kPosition_m, bounds.altitude_max_m);
   }
+  if (order == MissionOrder::kSetReturnPlace)
+    read_place(checks, body.value("position_m", Body()), "position_m", command.return_place_enu_m);
   return checks.result(command);
 }
 

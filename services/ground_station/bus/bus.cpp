@@ -18,6 +18,7 @@ constexpr double kLinger_s = 10.0;    // a channel whose writer left
 constexpr double kRestAfter_s = 3.0;  // long enough to measure a rate
 constexpr double kRestBytes_s = 1e6;
 constexpr double kRejoinPeriod_s = 30.0;
+constexpr std::string_view kVideo = "/camera/ground/video";  // encoded only while it is read
 constexpr std::size_t kMaxTopics = 2048;  // hostile discovery must not fill the memory
 // Samples of many topics come together: one round for all of them costs less than one for each.
 constexpr auto kRound = std::chrono::milliseconds(5);
@@ -144,8 +145,8 @@ void Bus::update(const std::string& name, Topic& topic, double now_s) {
   } else if (now_s - topic.alone_s > kLinger_s) {
     close(topic);
   }
-  if (topic.reader && !wanted && topic.bytes_s > kRestBytes_s &&
-      now_s - topic.opened_s > kRestAfter_s) {
+  const bool is_costly = topic.bytes_s > kRestBytes_s || name.ends_with(kVideo);
+  if (topic.reader && !wanted && is_costly && now_s - topic.opened_s > kRestAfter_s) {
     stop_reading(topic);
     hearing_.reset();  // of somebody it may be all that was heard
     topic.resting = true;

@@ -83,8 +83,8 @@ void Commander::hear(const std::string& name, const CdrBytes& bytes, double now_
   if (vehicle.delivery)
     vehicle.delivery->gate = {now_s, to_seconds(state.header().stamp()),
                               state.phase() == static_cast<std::uint8_t>(MissionPhase::kStopped)};
-  if (state.command() > static_cast<std::uint8_t>(MissionOrder::kSetFraming) ||
-      state.command_result() > static_cast<std::uint8_t>(MissionResult::kRefusedFraming))
+  if (state.command() > static_cast<std::uint8_t>(MissionOrder::kSetReturnPlace) ||
+      state.command_result() > static_cast<std::uint8_t>(MissionResult::kRefusedPlace))
     return;
   const auto order = static_cast<MissionOrder>(state.command());
   const auto result = static_cast<MissionResult>(state.command_result());

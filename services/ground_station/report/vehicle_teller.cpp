@@ -49,7 +49,7 @@ bool is_jpeg(const std::vector<std::uint8_t>& bytes) {
 }
 
 std::string_view order_word(std::uint8_t command) {
-  constexpr auto kLast = static_cast<std::uint8_t>(MissionOrder::kSetFraming);
+  constexpr auto kLast = static_cast<std::uint8_t>(MissionOrder::kSetReturnPlace);
   return command <= kLast ? to_string(static_cast<MissionOrder>(command)) : "an unknown order";
 }
 
@@ -179,7 +179,7 @@ void VehicleTeller::compare(const Gate& now, const msg::SafetyState& message) {
 void VehicleTeller::tell_order(const Gate& now, const msg::SafetyState& message) {
   const bool is_news = !gate_ || now.command_id != gate_->command_id || now.result != gate_->result;
   if (!is_news || now.command_id == 0 || now.result == gate_words::RESULT_PENDING) return;
-  if (now.result > gate_words::RESULT_REFUSED_FRAMING) return;
+  if (now.result > gate_words::RESULT_REFUSED_PLACE) return;
   const auto result = static_cast<MissionResult>(now.result);
   const bool taken = is_accepted(result);
   if (is_about_lease_only(message.command()) && taken) return;

@@ -33,6 +33,8 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
       ack_reader_(service.node()),
       sticks_reader_(service.node()),
       battery_reader_(service.node()),
+      home_reader_(service.node()),
+      position_reader_(service.node()),
       setpoint_(service.node()),
       heartbeat_(service.node()),
       command_(service.node()) {
@@ -51,6 +53,12 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
     sticks_moved_ |= sticks_moved(m);
   });
   loop.on_newest(battery_reader_, convert, [this](const BatteryState& b) { battery_ = b; });
+  loop.on_newest(home_reader_, convert,
+                 [this](const Vec3& home_enu_m) { home_enu_m_ = home_enu_m; });
+  loop.on_newest(
+      position_reader_,
+      [](const px4_msgs::msg::VehicleLocalPosition& m) { return Converted(origin_of(m)); },
+      [this](const std::optional<GlobalPlace>& origin) { origin_ = origin; });
   loop.every_wall(kLook_s, [this] { look_at_release(); });
 }
 
@@ -105,10 +113,29 @@ void AutopilotLink::send(const GateResult& result, double stamp_s) {
     to_idl(*result.setpoint, setpoint_.sample());
     setpoint_.write();
   }
+  ask(result, stamp_s);
+}
+
+void AutopilotLink::ask(const GateResult& result, double stamp_s) {
+  if (result.request == AutopilotRequest::kHome)
+    return ask_for_home(result.return_place_enu_m, stamp_s);
   const auto command = command_of(result.request, status_.system_id);
   if (!command) return;
   asked_ = result.request;
   to_idl(*command, stamp_s, command_.sample());
+  command_.write();
+}
+
+// As high as its present home. Where it knows no global position it would refuse.
+void AutopilotLink::ask_for_home(const FlightBounds::Corner& place_enu_m, double stamp_s) {
+  if (!origin_) {
+    acks_.push_back({AutopilotRequest::kHome, CommandResult::kTemporarilyRejected});
+    return;
+  }
+  asked_ = AutopilotRequest::kHome;
+  const double z_m = home_enu_m_ ? home_enu_m_->z() : 0.0;
+  const GlobalPlace place = global_of(*origin_, {place_enu_m.x_m, place_enu_m.y_m, z_m});
+  to_set_home(place, status_.system_id, stamp_s, command_.sample());
   command_.write();
 }
 

@@ -9,13 +9,16 @@
 #include "core/safety/gate.hpp"
 #include "px4_msgs/msg/BatteryStatus.h"
 #include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/HomePosition.h"
 #include "px4_msgs/msg/ManualControlSetpoint.h"
 #include "px4_msgs/msg/OffboardControlMode.h"
 #include "px4_msgs/msg/TrajectorySetpoint.h"
 #include "px4_msgs/msg/VehicleCommand.h"
 #include "px4_msgs/msg/VehicleCommandAck.h"
+#include "px4_msgs/msg/VehicleLocalPosition.h"
 #include "px4_msgs/msg/VehicleStatus.h"
 #include "services/common/service.hpp"
+#include "services/convert/px4_home.hpp"
 
 namespace foretrack {
 
@@ -34,10 +37,14 @@ class AutopilotLink {
   const std::string& other_release() const { return other_release_; }
   /// Why it would refuse offboard mode; empty: nothing is known to hinder it.
   std::string hindrance() const { return status_.offboard ? "" : hindrance_; }
+  /// Where it would return to; none: it does not say.
+  const std::optional<Vec3>& home_enu_m() const { return home_enu_m_; }
 
  private:
   void look_at_release();
   void hear_answer(const px4_msgs::msg::VehicleCommandAck& message);
+  void ask(const GateResult& result, double stamp_s);
+  void ask_for_home(const FlightBounds::Corner& place_enu_m, double stamp_s);
 
   Service& service_;
   bool dry_run_;
@@ -46,6 +53,8 @@ class AutopilotLink {
   Reader<topics::Px4VehicleCommandAck> ack_reader_;
   Reader<topics::Px4ManualControlSetpoint> sticks_reader_;
   Reader<topics::Px4BatteryStatus> battery_reader_;
+  Reader<topics::Px4HomePosition> home_reader_;
+  Reader<topics::Px4VehicleLocalPosition> position_reader_;
   Writer<topics::Px4TrajectorySetpoint> setpoint_;
   Writer<topics::Px4OffboardControlMode> heartbeat_;
   Writer<topics::Px4VehicleCommand> command_;
@@ -55,6 +64,8 @@ class AutopilotLink {
   std::string hindrance_, other_release_;
   bool silence_alone_ = false;  // is what its failsafe can act for
   std::optional<BatteryState> battery_;
+  std::optional<Vec3> home_enu_m_;
+  std::optional<GlobalPlace> origin_;                 // of the world frame
   AutopilotRequest asked_ = AutopilotRequest::kNone;  // by the command that was written last
   std::deque<AutopilotAck> acks_;
   AutopilotAck ack_;  // that the gate is shown

@@ -232,6 +232,7 @@ void SafetyGateService::publish(const GateResult& result) {
   report.hindrance = autopilot_.hindrance();
   report.alarm = alarm();
   report.dry_run = dry_run_;
+  report.home_enu_m = autopilot_.home_enu_m();
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;

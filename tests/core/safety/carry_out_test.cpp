@@ -140,5 +140,57 @@ TEST(CarryOut, EndingLeavesAStoppedVehicleStopped) {
   EXPECT_EQ(mission.phase, MissionPhase::kIdle) << "nothing is ours to hold";
 }
 
+// The place to return to, beside whatever the phase asks.
+struct HomeMate : Mate {
+  using Mate::Mate;
+  HomeAsking home{{3.0, 4.0}, true};
+
+  Request ask(double dt_s = 0.02) {
+    in.now_s += dt_s;
+    const Request request = ask_for_home(home, state, in, params);
+    in.ack = nullptr;
+    return request;
+  }
+  CommandResult answered(AutopilotAck ack) {
+    in.ack = &ack;
+    EXPECT_EQ(ask(), Request::kNone);
+    return state.answer;
+  }
+};
+
+TEST(CarryOut, AnotherHomeIsAskedForOnceAndItsAnswerIsTold) {
+  HomeMate mate(MissionPhase::kTracking, FlightMode::kOffboard);
+  EXPECT_EQ(mate.ask(), Request::kHome);
+  EXPECT_EQ(mate.state.asked, Request::kHome);
+  EXPECT_EQ(mate.state.answer, CommandResult::kInProgress);
+  EXPECT_EQ(mate.ask(), Request::kNone) << "it is asked once";
+  EXPECT_EQ(mate.answered({Request::kArm, CommandResult::kDenied}), CommandResult::kInProgress)
+      << "the answer to something else";
+  EXPECT_EQ(mate.answered({Request::kHome, CommandResult::kDenied}), CommandResult::kDenied);
+  EXPECT_EQ(mate.ask(mate.params.ask.answer_s + 1.0), Request::kNone);
+  EXPECT_EQ(mate.state.answer, CommandResult::kDenied);
+  EXPECT_EQ(mate.mission.phase, MissionPhase::kTracking);
+}
+
+TEST(CarryOut, AnotherHomeThatIsNotAnsweredFailed) {
+  HomeMate mate(MissionPhase::kIdle, FlightMode::kHold, false);
+  ASSERT_EQ(mate.ask(), Request::kHome);
+  EXPECT_EQ(mate.ask(mate.params.ask.answer_s - 0.1), Request::kNone);
+  EXPECT_EQ(mate.state.answer, CommandResult::kInProgress);
+  mate.ask(0.2);
+  EXPECT_EQ(mate.state.answer, CommandResult::kFailed);
+}
+
+TEST(CarryOut, AnotherHomeWaitsUntilThePhaseIsAnswered) {
+  HomeMate mate(MissionPhase::kStarting, FlightMode::kHold, false);
+  ASSERT_EQ(mate.tick(), Request::kArm);
+  EXPECT_EQ(mate.ask(), Request::kNone);
+  mate.set(FlightMode::kHold);
+  ASSERT_EQ(mate.tick(), Request::kOffboard);
+  mate.set(FlightMode::kOffboard);
+  mate.tick();
+  EXPECT_EQ(mate.ask(), Request::kHome);
+}
+
 }  // namespace
 }  // namespace foretrack

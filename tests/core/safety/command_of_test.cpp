@@ -6,8 +6,9 @@
 namespace foretrack {
 namespace {
 
-TEST(CommandOf, NothingIsNoCommand) {
+TEST(CommandOf, NothingIsNoCommandAndAnotherHomeNeedsAPlace) {
   EXPECT_FALSE(command_of(AutopilotRequest::kNone, 1));
+  EXPECT_FALSE(command_of(AutopilotRequest::kHome, 1));
 }
 
 TEST(CommandOf, ArmingIsAsIfByHandAndNeverForced) {

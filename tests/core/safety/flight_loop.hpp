@@ -66,7 +66,7 @@ struct FakeAutopilot {
   AutopilotStatus status{.stamp_s = 0.0, .armed = true, .mode = FlightMode::kHold};
   std::optional<CommandResult> answer = CommandResult::kAccepted;  // none: it does not answer
   bool deaf = false;                                               // and does not do it either
-  std::array<int, 7> asked{};                                      // how often, by request
+  std::array<int, 8> asked{};                                      // how often, by request
   std::optional<AutopilotAck> ack;                                 // for the gate's next tick
 
   void enter(FlightMode mode) {
@@ -79,6 +79,7 @@ struct FakeAutopilot {
     ++asked[static_cast<int>(request)];
     if (answer) ack = AutopilotAck{request, *answer};
     if (deaf || (answer && *answer != CommandResult::kAccepted)) return;
+    if (request == AutopilotRequest::kHome) return;  // no mode
     constexpr FlightMode modes[] = {
         FlightMode::kUnknown, FlightMode::kUnknown, FlightMode::kOffboard, FlightMode::kReturn,
         FlightMode::kLand,    FlightMode::kTakeOff, FlightMode::kHold};

@@ -250,5 +250,36 @@ TEST(Gate, FliesOnByTheMonotonicClockWhenTheOtherIsSet) {
   }
 }
 
+TEST(Gate, APlaceToReturnToIsAskedForOnceWhileItFliesOn) {
+  Flying loop;
+  const auto plan = loop.plan(1001);
+  loop.tick(&plan);
+  MissionCommand lease{.id = 100,
+                       .stamp_s = loop.stamp_now_s(),
+                       .order = MissionOrder::kLease,
+                       .operator_name = "ada",
+                       .lease_id = "ada",
+                       .proved = true};
+  ASSERT_TRUE(is_accepted(loop.tick(nullptr, &lease).command_result));
+  MissionCommand place = lease;
+  place.id = 101;
+  place.order = MissionOrder::kSetReturnPlace;
+  place.return_place_enu_m = {7.0, -2.0};
+  int asked = 0;
+  GateResult r = loop.tick(nullptr, &place);
+  EXPECT_EQ(r.command_result, MissionResult::kAccepted);
+  for (int i = 0; i < 5; ++i, r = loop.tick()) {
+    if (r.request != AutopilotRequest::kHome) continue;
+    ++asked;
+    EXPECT_EQ(r.return_place_enu_m, (FlightBounds::Corner{7.0, -2.0}));
+  }
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(r.phase, MissionPhase::kTracking);
+  place.id = 102;
+  place.proved = false;
+  EXPECT_EQ(loop.tick(nullptr, &place).command_result, MissionResult::kRefusedUnproved);
+  EXPECT_EQ(loop.tick().request, AutopilotRequest::kNone);
+}
+
 }  // namespace
 }  // namespace foretrack::testing

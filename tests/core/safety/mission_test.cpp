@@ -11,10 +11,11 @@ namespace {
 
 constexpr MissionRules kRules{.max_age_s = 1.0, .future_s = 0.5, .lease_s = 5.0};
 constexpr std::uint64_t kHighest = std::numeric_limits<std::uint64_t>::max();
-constexpr auto kAll = {MissionOrder::kStart,   MissionOrder::kHold,      MissionOrder::kResume,
-                       MissionOrder::kReturn,  MissionOrder::kLand,      MissionOrder::kLease,
-                       MissionOrder::kRelease, MissionOrder::kTakeOff,   MissionOrder::kSetBounds,
-                       MissionOrder::kFollow,  MissionOrder::kSetFraming};
+constexpr auto kAll = {
+    MissionOrder::kStart,   MissionOrder::kHold,       MissionOrder::kResume,
+    MissionOrder::kReturn,  MissionOrder::kLand,       MissionOrder::kLease,
+    MissionOrder::kRelease, MissionOrder::kTakeOff,    MissionOrder::kSetBounds,
+    MissionOrder::kFollow,  MissionOrder::kSetFraming, MissionOrder::kSetReturnPlace};
 
 /// A mission that tracks, and orders a moment apart.
 struct Orders {
@@ -275,12 +276,35 @@ TEST(Mission, TakesFramingsThatAreSafeAndKeepsTheLastOne) {
 }
 
 TEST(Mission, SettingsAreMadeUnderTheLeaseAlone) {
-  for (const auto order :
-       {MissionOrder::kSetBounds, MissionOrder::kFollow, MissionOrder::kSetFraming}) {
+  for (const auto order : {MissionOrder::kSetBounds, MissionOrder::kFollow,
+                           MissionOrder::kSetFraming, MissionOrder::kSetReturnPlace}) {
     Orders orders;
     EXPECT_EQ(orders.give(order), MissionResult::kRefusedUnproved) << to_string(order);
     orders.give(MissionOrder::kLease);
     EXPECT_EQ(orders.give(order), MissionResult::kAccepted) << to_string(order);
+  }
+}
+
+TEST(Mission, APlaceToReturnToMustBeInTheFenceAtAnyAltitude) {
+  Orders orders;
+  orders.give(MissionOrder::kLease);
+  const auto place = [&](double x_m, double y_m) {
+    orders.now_s += 0.01;
+    MissionCommand command = orders.order(MissionOrder::kSetReturnPlace);
+    command.return_place_enu_m = {x_m, y_m};
+    return orders.give(command);
+  };
+  EXPECT_EQ(place(500.0, 0.0), MissionResult::kAccepted) << "there is no fence";
+  FlightBounds& bounds = orders.mission.bounds;
+  bounds.corner_count = 3;
+  bounds.corners_enu_m[1] = {10.0, 0.0};
+  bounds.corners_enu_m[2] = {0.0, 10.0};
+  bounds.altitude_min_m = 3.0;
+  EXPECT_EQ(place(2.0, 2.0), MissionResult::kAccepted);
+  EXPECT_EQ(place(8.0, 8.0), MissionResult::kRefusedPlace);
+  for (const auto phase : {MissionPhase::kReturning, MissionPhase::kLanding}) {
+    orders.mission.phase = phase;
+    EXPECT_EQ(place(2.0, 2.0), MissionResult::kRefusedPhase) << "it is on its way there";
   }
 }
 
@@ -310,10 +334,10 @@ TEST(Mission, TakesBoundsFromTheLeasesHolderAlone) {
 
 TEST(Mission, OnlyWhatMakesItFlyOrBindsItMustOutliveARestart) {
   for (const auto order : kAll)
-    EXPECT_EQ(needs_memory(order), order == MissionOrder::kStart ||
-                                       order == MissionOrder::kResume ||
-                                       order == MissionOrder::kTakeOff ||
-                                       order == MissionOrder::kLease || is_setting(order))
+    EXPECT_EQ(needs_memory(order),
+              order == MissionOrder::kStart || order == MissionOrder::kResume ||
+                  order == MissionOrder::kTakeOff || order == MissionOrder::kLease ||
+                  (is_setting(order) && order != MissionOrder::kSetReturnPlace))
         << to_string(order);
   EXPECT_FALSE(needs_memory(MissionOrder::kStop));
 }
@@ -324,6 +348,8 @@ TEST(Mission, EverythingHasAName) {
   EXPECT_EQ(to_string(MissionOrder::kSetFraming), "set_framing");
   EXPECT_EQ(to_string(MissionResult::kRefusedFraming),
             "refused: this framing is out of its safe ranges");
+  EXPECT_EQ(to_string(MissionOrder::kSetReturnPlace), "set_return_place");
+  EXPECT_EQ(to_string(MissionResult::kRefusedPlace), "refused: this place is outside of the fence");
   EXPECT_EQ(to_string(MissionPhase::kTakingOff), "taking off");
   EXPECT_EQ(to_string(MissionResult::kAcceptedUnwritten),
             "accepted, but a restart would forget it");

@@ -256,14 +256,31 @@ TEST(Autopilot, NothingLeadsOutOfTermination) {
   EXPECT_EQ(bench.status().mode, kTermination);
 }
 
+TEST(Autopilot, ReturnsToTheHomeThatItWasToldLast) {
+  Bench bench;
+  bench.run(0.01, {.setpoint = {}, .home_enu_m = Vec3(3.0, -2.0, 50.0)});
+  EXPECT_EQ(bench.autopilot.answer, CommandResult::kAccepted);
+  EXPECT_EQ(bench.autopilot.home_enu_m, Vec3(3.0, -2.0, 2.0)) << "heights are its own";
+  ASSERT_EQ(bench.order(go(kReturn)), CommandResult::kAccepted);
+  bench.follow(20.0, {});
+  EXPECT_LT(distance_xy(bench.vehicle.position_enu_m, Vec3(3.0, -2.0, 0.0)), 0.5);
+  EXPECT_FALSE(bench.status().armed) << "it has landed there";
+}
+
 TEST(Autopilot, DeniesOrIgnoresCommandsWhereItIsToldTo) {
   Bench bench({{1.0, IncidentKind::kDeny, kPilot},
                {2.0, IncidentKind::kIgnore, kPilot},
                {3.0, IncidentKind::kObey, kPilot}});
   bench.run(1.1, {});
   EXPECT_EQ(bench.order(go(kLand)), CommandResult::kDenied);
+  const AutopilotInput another_home{.setpoint = {}, .home_enu_m = Vec3(9.0, 9.0, 0.0)};
+  bench.run(0.01, another_home);
+  EXPECT_EQ(bench.autopilot.answer, CommandResult::kDenied);
   bench.run(1.0, {});
   EXPECT_EQ(bench.order(go(kLand)), std::nullopt);
+  bench.run(0.01, another_home);
+  EXPECT_EQ(bench.autopilot.answer, std::nullopt);
+  EXPECT_EQ(bench.autopilot.home_enu_m.x(), 0.0);
   EXPECT_EQ(bench.status().mode, kHold);
   bench.run(1.0, {});
   EXPECT_EQ(bench.order(go(kLand)), CommandResult::kAccepted);

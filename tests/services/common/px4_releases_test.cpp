@@ -19,7 +19,8 @@ namespace {
 constexpr const char* kMessages[] = {
     "VehicleStatus",       "BatteryStatus",  "VehicleLocalPosition",  "FailsafeFlags",
     "VehicleOdometry",     "VehicleCommand", "VehicleControlMode",    "VehicleCommandAck",
-    "OffboardControlMode", "TimesyncStatus", "ManualControlSetpoint", "TrajectorySetpoint"};
+    "OffboardControlMode", "TimesyncStatus", "ManualControlSetpoint", "TrajectorySetpoint",
+    "HomePosition"};
 
 std::string wire_type(const std::string& message) {
   return "px4_msgs::msg::dds_::" + message + "_";

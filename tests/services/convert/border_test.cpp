@@ -12,6 +12,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
+#include "services/convert/px4_home.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/target.hpp"
 #include "services/convert/trajectory.hpp"
@@ -72,6 +73,7 @@ std::vector<Seed> good_samples() {
   add(seeds, message_of<px4_msgs::msg::VehicleStatus>(AutopilotStatus{}));
   add(seeds, message_of<px4_msgs::msg::VehicleCommand>(AutopilotCommand{}, 1.0));
   add(seeds, message_of<px4_msgs::msg::BatteryStatus>(BatteryState{}, 1.0));
+  add(seeds, message_of<px4_msgs::msg::HomePosition>(GlobalPlace{}, Vec3::Zero().eval(), 1.0));
   add(seeds, message_of<foretrack_msgs::msg::MissionCommand>(foretrack::MissionCommand{}));
   add(seeds, message_of<foretrack_msgs::msg::SafetyState>(GateReport{}));
   add(seeds, message_of<foretrack_msgs::msg::TargetObservation>(foretrack::TargetObservation{}));

@@ -97,8 +97,8 @@ TEST(SafetyStateMessage, RefusesEachBadField) {
               {"mode", [](M& m) { m.mode(5); }},
               {"reason", [](M& m) { m.reason(20); }},
               {"phase", [](M& m) { m.phase(8); }},
-              {"request", [](M& m) { m.request(7); }},
-              {"command_result", [](M& m) { m.command_result(14); }},
+              {"request", [](M& m) { m.request(8); }},
+              {"command_result", [](M& m) { m.command_result(15); }},
               {"plan_age_s", [](M& m) { m.plan_age_s(kNaN); }},
               {"deviation_m", [](M& m) { m.deviation_m(kInf); }},
               {"odometry_age_s", [](M& m) { m.odometry_age_s(kNaN); }},
@@ -143,6 +143,42 @@ TEST(MissionCommandMessage, CarriesWhomToFollowAndTheFraming) {
   EXPECT_EQ(out->person_id, 0u);
 }
 
+TEST(MissionCommandMessage, CarriesAPlaceToReturnTo) {
+  CommandMsg msg;
+  to_idl(
+      MissionCommand{
+          .id = 5, .order = MissionOrder::kSetReturnPlace, .return_place_enu_m = {3.0, -4.0}},
+      msg);
+  auto out = from_idl(msg);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->return_place_enu_m, (FlightBounds::Corner{3.0, -4.0}));
+  msg.return_place_m()[1] = kNaN;
+  out = from_idl(msg);
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.fault().field, "return_place_m");
+}
+
+TEST(SafetyStateMessage, TellsTheBoundsAsOrderedAndWhereHomeIs) {
+  GateReport report;
+  report.result.bounds.corner_count = 3;
+  report.result.bounds.corners_enu_m[2] = {5.0, 6.0};
+  report.result.bounds.altitude_max_m = 12.0;
+  report.home_enu_m = Vec3(1.0, 2.0, 3.0);
+  StateMsg msg;
+  to_idl(report, msg);
+  auto out = from_idl(msg);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_EQ(out->result.bounds, report.result.bounds);
+  EXPECT_EQ(out->home_enu_m, report.home_enu_m);
+  msg.fence_m().pop_back();
+  EXPECT_EQ(from_idl(msg).fault().field, "fence_m");
+  report.home_enu_m.reset();
+  to_idl(report, msg);
+  out = from_idl(msg);
+  ASSERT_TRUE(out) << out.fault().text;
+  EXPECT_FALSE(out->home_enu_m);
+}
+
 TEST(MissionCommandMessage, RefusesAFramingThatIsNone) {
   using M = CommandMsg;
   testing::expect_each_refused<M>(
@@ -162,7 +198,7 @@ TEST(MissionCommandMessage, RefusesEachBadField) {
       message<M>(MissionCommand{.id = 1, .stamp_s = 1.0, .order = MissionOrder::kStop}),
       {
           {"header.stamp", [](M& m) { m.header().stamp().sec(-1); }},
-          {"command", [](M& m) { m.command(12); }},
+          {"command", [](M& m) { m.command(13); }},
           {"id", [](M& m) { m.id(0); }},
       },
       [](const M& m) { return from_idl(m); });

@@ -44,6 +44,13 @@ TEST(OrderBody, TakesBounds) {
   EXPECT_TRUE(are_valid(order->bounds));
 }
 
+TEST(OrderBody, TakesAPlaceToReturnTo) {
+  const auto order = read(R"({"command": "return_place", "position_m": [3, -4.5]})");
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->order, MissionOrder::kSetReturnPlace);
+  EXPECT_EQ(order->return_place_enu_m, (FlightBounds::Corner{3.0, -4.5}));
+}
+
 TEST(OrderBody, RefusesWhatIsNone) {
   for (const char* body :
        {R"({})", R"({"command": 7})", R"({"command": "lease"})", R"({"command": "follow"})",
@@ -53,7 +60,9 @@ TEST(OrderBody, RefusesWhatIsNone) {
         R"({"command": "framing", "height_m": 1e300})", R"({"command": "bounds", "fence_m": 3})",
         R"({"command": "bounds", "fence_m": [[1, 2, 3]]})",
         R"({"command": "bounds", "fence_m": [[1, "2"]]})",
-        R"({"command": "bounds", "fence_m": [[1, 1e300]]})"})
+        R"({"command": "bounds", "fence_m": [[1, 1e300]]})", R"({"command": "return_place"})",
+        R"({"command": "return_place", "position_m": [1]})",
+        R"({"command": "return_place", "position_m": [1, 1e300]})"})
     EXPECT_FALSE(read(body)) << body;
   std::string corners = "[0, 0]";
   for (int i = 0; i < 32; ++i) corners += ", [0, 0]";

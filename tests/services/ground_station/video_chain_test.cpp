@@ -112,6 +112,7 @@ TEST(VideoChain, OfAVideoThatLostAPictureNothingGoesOutUntilItsNextKey) {
   hub.deliver({picture(kKeyUnit, 1)}, 0.0);
   hub.deliver({picture(kOtherUnit, 2)}, 0.1);
   EXPECT_EQ(viewer.take(0.1), (std::vector{1, 2}));
+  viewer.take(0.11);                           // they were sent at once
   hub.deliver({picture(kOtherUnit, 3)}, 0.2);  // waits for too long
   hub.deliver({picture(kOtherUnit, 4)}, 0.3);
   hub.deliver({picture(kOtherUnit, 5)}, 1.0);

@@ -10,6 +10,7 @@
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
+#include "services/convert/px4_home.hpp"
 #include "services/convert/safety.hpp"
 #include "services/convert/trajectory.hpp"
 #include "tests/services/onboard/neighbours.hpp"
@@ -17,6 +18,8 @@
 
 namespace foretrack::testing {
 namespace {
+
+constexpr GlobalPlace kOrigin{52.0, 13.0, 30.0};
 
 class SafetyGateOnDds : public ::testing::Test {
  protected:
@@ -52,7 +55,12 @@ class SafetyGateOnDds : public ::testing::Test {
           ++setpoints_;
         });
     request_reader_.take_each([this](const auto& m) { waiting_.push_back(m); });
-    if (!waiting_.empty()) input.command = *from_idl(waiting_.front());
+    if (!waiting_.empty()) {
+      if (const auto home = home_asked_by(waiting_.front()))
+        input.home_enu_m = local_of(kOrigin, *home);
+      else
+        input.command = *from_idl(waiting_.front());
+    }
     VehicleState vehicle = neighbours_.vehicle;
     vehicle.stamp_s = neighbours_.now_s();
     update_autopilot(autopilot_, input, vehicle, 0.02);
@@ -60,10 +68,8 @@ class SafetyGateOnDds : public ::testing::Test {
       to_ack(waiting_.front(), *autopilot_.answer, vehicle.stamp_s, ack_.sample());
       ack_.write();
     }
-    if (input.command) {
-      asked_.push_back(*input.command);
-      waiting_.pop_front();
-    }
+    if (input.command) asked_.push_back(*input.command);
+    if (!waiting_.empty()) waiting_.pop_front();
     to_idl(autopilot_.status, status_.sample());
     status_.write();
   }
@@ -99,7 +105,8 @@ class SafetyGateOnDds : public ::testing::Test {
                           .operator_name = name,
                           .bounds = bounds_,
                           .person_id = person_id_,
-                          .framing = framing_},
+                          .framing = framing_,
+                          .return_place_enu_m = return_place_},
            order_.sample());
     if (key) key->sign("uav1", order_.sample());
     order_.write();
@@ -184,8 +191,9 @@ class SafetyGateOnDds : public ::testing::Test {
   std::deque<px4_msgs::msg::VehicleCommand> waiting_;
   std::vector<AutopilotCommand> asked_;  // of the flight controller, so far
   std::uint64_t plan_id_ = 100, order_id_ = 0;
-  FlightBounds bounds_;            // of an order to set them
-  std::uint32_t person_id_ = 0;    // of an order to follow
+  FlightBounds bounds_;          // of an order to set them
+  std::uint32_t person_id_ = 0;  // of an order to follow
+  FlightBounds::Corner return_place_;
   Framing framing_;                // of an order to set it
   std::function<void()> besides_;  // what else comes at 50 Hz
   GateReport report_;
@@ -496,6 +504,42 @@ TEST_F(SafetyGateOnDds, WhomToFollowAndFramingAreToldAndOutliveAKill) {
   ASSERT_TRUE(until([&] { return reports_ > 5; }));
   EXPECT_EQ(report_.result.person, (PersonChoice{true, 7}));
   EXPECT_EQ(report_.result.framing, (Framing{.distance_m = 3.0, .bearing_rad = 1.0}));
+}
+
+TEST_F(SafetyGateOnDds, AnotherPlaceToReturnToIsTheFlightControllersToKeep) {
+  const LeaseKey ada;
+  Writer<topics::Px4VehicleLocalPosition> position(neighbours_.node());
+  Writer<topics::Px4HomePosition> home(neighbours_.node());
+  bool is_global = false;
+  besides_ = [&] {
+    to_idl(neighbours_.vehicle, position.sample());
+    if (is_global) set_origin(kOrigin, position.sample());
+    position.write();
+    to_idl(kOrigin, autopilot_.home_enu_m, neighbours_.now_s(), home.sample());
+    home.write();
+  };
+  const auto sets_it = [&](const FlightBounds::Corner& place) {
+    return_place_ = place;
+    return ordered(MissionOrder::kLease, MissionResult::kAccepted, &ada) &&
+           ordered(MissionOrder::kSetReturnPlace, MissionResult::kAccepted, &ada);
+  };
+  const auto is_told = [&](const Vec3& home_enu_m) {
+    return report_.home_enu_m && (*report_.home_enu_m - home_enu_m).norm() < 0.01;
+  };
+  ASSERT_TRUE(until([&] { return is_told(neighbours_.vehicle.position_enu_m); })) << text_;
+  return_place_ = {30.0, -40.0};
+  EXPECT_TRUE(ordered(MissionOrder::kSetReturnPlace, MissionResult::kRefusedUnproved));
+  ASSERT_TRUE(sets_it({30.0, -40.0}));
+  EXPECT_TRUE(until([&] {
+    return report_.result.asked == AutopilotRequest::kHome &&
+           report_.result.answer == CommandResult::kTemporarilyRejected;
+  })) << "no place on the Earth is known: "
+      << text_;
+  is_global = true;
+  ASSERT_TRUE(until([&] { return reports_ > 0; }));
+  EXPECT_TRUE(sets_it({30.0, -40.0}));
+  EXPECT_TRUE(until([&] { return is_told({30.0, -40.0, 1.5}); })) << text_;
+  EXPECT_EQ(report_.result.answer, CommandResult::kAccepted) << text_;
 }
 
 // ── eyes ──
