@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,10 @@ class Hub {
     double limited_s = -1e9;   // when a sample was last left out
     std::vector<Sample> kept;  // for who subscribes late: the last one that stands alone
     std::size_t kept_bytes = 0;
+    double kept_s = -1e9;
   };
-  static void keep(Flow& flow, const Channel& channel, const Sample& sample);
+  static void keep(Flow& flow, const Channel& channel, const Sample& sample, double now_s);
+  std::span<const Sample> kept(const Channel& channel, double now_s) const;
   bool within_limit(Flow& flow, std::size_t bytes, double now_s) const;
 
   std::string name_, version_, session_id_;

@@ -91,16 +91,18 @@ TEST(VideoChain, WhoSubscribesLateGetsTheVideoFromItsLastKeyOn) {
   EXPECT_EQ(viewer.take(0.2), (std::vector{4, 5, 6}));
 }
 
-TEST(VideoChain, OfAnImageForTheGroundALateSubscriberGetsTheLast) {
+TEST(VideoChain, OfAnImageForTheGroundALateSubscriberGetsTheLastUnlessItIsOld) {
   Hub hub("station", "1", {});
   auto image = video_channel(1);
   image.schema_name = "sensor_msgs/msg/CompressedImage";
   image.topic = "/uav1/camera/ground/image/compressed";
   hub.open(image);
   for (std::uint8_t mark = 1; mark < 4; ++mark) hub.deliver({picture(kOtherUnit, mark)}, 0.1);
-  Viewer viewer(hub);
-  viewer.subscribe(5.0);
-  EXPECT_EQ(viewer.take(5.0), std::vector{3});
+  Viewer viewer(hub), later(hub);
+  viewer.subscribe(0.9);
+  EXPECT_EQ(viewer.take(0.9), std::vector{3});
+  later.subscribe(1.2);
+  EXPECT_TRUE(later.take(1.2).empty());
 }
 
 TEST(VideoChain, OfAVideoThatLostAPictureNothingGoesOutUntilItsNextKey) {

@@ -12,9 +12,11 @@ export interface StandIn {
   chosen: Map<string, { state: number; person_id: number }>;
   blind: Set<string>; // vehicles that send no pictures
   painted: number;
+  videoFault: boolean; // what comes of the video cannot be decoded
+  videoed: Map<string, number>;
   behind_s: number; // by which samples are older than now
   recordings: Map<string, Uint8Array>;
   close(): void;
 }
 export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string;
-  blind?: boolean; behind_s?: number }): Promise<StandIn>;
+  blind?: boolean; behind_s?: number; video?: boolean }): Promise<StandIn>;

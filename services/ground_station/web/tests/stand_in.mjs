@@ -9,7 +9,7 @@ import { WebSocketServer } from "ws";
 import { flatIdl } from "./flat_idl.mjs";
 import { diagnosticsOf, encode, freeFraming, samplesAt, schemaNameOf, typeOf,
 } from "./synthetic.mjs";
-import { pictureAt } from "./synthetic_camera.mjs";
+import { pictureAt, videoAt } from "./synthetic_camera.mjs";
 
 const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
   ".svg": "image/svg+xml", ".json": "application/json", ".txt": "text/plain" };
@@ -32,12 +32,16 @@ class StandIn {
   bodies = []; // of orders that say more than their name
   chosen = new Map(); // what perception says of who is followed, by vehicle
   painted = 0; // pictures
+  video = false; // is offered as well
+  videoFault = false; // what comes of it cannot be decoded
+  videoed = new Map(); // how many pictures of it were sent, by vehicle
   behind_s = 0; // by which samples are older than now, as those of a recording
   recordings = new Map(); // bytes by file name
 
   constructor({ port = 0, vehicles = 1, dist = "dist", blind = false,
-    behind_s = 0 } = {}) {
+    behind_s = 0, video = false } = {}) {
     this.behind_s = behind_s;
+    this.video = video;
     this.dist = dist;
     this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
     this.blind = new Set(blind ? this.names : []);
@@ -122,18 +126,36 @@ class StandIn {
             this.send(`/${name}/${topic}`, typeOf(topic),
               encode(typeOf(topic), this.troubled(name, message)));
         if (this.step % 8 === 0 && !this.blind.has(name)) this.sendPicture(name, index);
+        if (this.step % 8 === 4 && this.video) this.sendVideo(name, index);
       });
     }
   }
 
+  isRead(topic, type) {
+    const { id } = this.channel(topic, type);
+    return [...this.clients.values()].some((subscribed) => subscribed.has(id));
+  }
+
   // Painted only where somebody looks: that takes a while.
   sendPicture(name, index) {
-    const channel = this.channel(`/${name}/camera/ground/image/compressed`,
-      "sensor_msgs/CompressedImage");
-    const isRead = [...this.clients.values()].some((subscribed) => subscribed.has(channel.id));
-    if (!isRead) return;
+    const topic = "camera/ground/image/compressed";
+    if (!this.isRead(`/${name}/${topic}`, typeOf(topic))) return;
     this.painted++;
-    for (const [topic, message] of pictureAt(this.step / 100, index))
+    this.sendAll(name, pictureAt(this.step / 100, index));
+  }
+
+  sendVideo(name, index) {
+    const topic = "camera/ground/video";
+    if (!this.isRead(`/${name}/${topic}`, typeOf(topic))) return this.videoed.delete(name);
+    const number = this.videoed.get(name) ?? 0;
+    this.videoed.set(name, number + 1);
+    const samples = videoAt(this.step / 100, index, number);
+    if (this.videoFault) samples[1][1].data.fill(0x55, 40);
+    this.sendAll(name, samples);
+  }
+
+  sendAll(name, samples) {
+    for (const [topic, message] of samples)
       this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
   }
 

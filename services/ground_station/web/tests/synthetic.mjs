@@ -18,6 +18,7 @@ const types = {
   "bodies": "foretrack_msgs/MovingBodies",
   "target/choice": "foretrack_msgs/TargetChoice",
   "camera/ground/image/compressed": "sensor_msgs/CompressedImage",
+  "camera/ground/video": "foxglove_msgs/CompressedVideo",
   "camera/ground/camera_info": "sensor_msgs/CameraInfo",
   "camera/color/camera_info": "sensor_msgs/CameraInfo",
   "mission/command": "foretrack_msgs/MissionCommand",

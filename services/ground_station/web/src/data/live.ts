@@ -24,7 +24,7 @@ export class LiveLink {
   private readonly queue = new SampleQueue();
   private readonly subscribed = new Map<number, { channel: Channel; channelId: number }>();
   private readonly offered = new Map<string, Announced>(); // on demand, by topic
-  private wanted = ""; // of those
+  private wanted: readonly string[] = []; // of those
   private quietTicks = 0; // seconds without a word; counted, as a page that stood still is not deaf
   private closed = false;
   private readonly timer: ReturnType<typeof setInterval>;
@@ -46,17 +46,21 @@ export class LiveLink {
     return Date.now() / 1000 + this.ahead_s;
   }
 
-  /** Of the topics that are read on demand, the one that is read from now on; "": none. */
-  want(topic: string): void {
-    if (topic === this.wanted) return;
-    this.wanted = topic;
+  /** Of the topics that are read on demand, those that are read from now on. */
+  want(topics: readonly string[]): void {
+    if (topics.join() === this.wanted.join()) return;
+    this.wanted = topics;
+    const read = new Set<string>();
     for (const [id, { channel }] of this.subscribed) {
-      if (!isOnDemand(channel.topic)) continue;
+      read.add(channel.topic);
+      if (!isOnDemand(channel.topic) || topics.includes(channel.topic)) continue;
       this.client?.unsubscribe(id);
       this.subscribed.delete(id);
     }
-    const offer = this.offered.get(topic);
-    if (offer && this.client) this.subscribe(this.client, offer);
+    for (const topic of topics) {
+      const offer = this.offered.get(topic);
+      if (offer && this.client && !read.has(topic)) this.subscribe(this.client, offer);
+    }
   }
 
   close(): void {
@@ -101,7 +105,7 @@ export class LiveLink {
 
   private announce(client: FoxgloveClient, c: Announced): void {
     if (readingOf(c.topic) === undefined) return;
-    const isWanted = !isOnDemand(c.topic) || c.topic === this.wanted;
+    const isWanted = !isOnDemand(c.topic) || this.wanted.includes(c.topic);
     const isRead = [...this.subscribed.values()].some((s) => s.channelId === c.id);
     if (isWanted && !isRead) this.subscribe(client, c);
   }

@@ -125,6 +125,8 @@ export interface FleetDivision {
 }
 
 export interface CompressedImage { header: Header; format: string; data: Uint8Array }
+/** H.264 as Annex B: one whole picture, parameter sets with each key picture. */
+export interface CompressedVideo { timestamp: Time; frame_id: string; data: Uint8Array; format: string }
 export interface CameraInfo {
   header: Header;
   width: number;

@@ -16,6 +16,7 @@ const readings: Record<string, Reading> = {
   "target/choice": "newest",
   "fleet/division": "newest",
   "camera/ground/image/compressed": "newest",
+  "camera/ground/video": "all",
   "camera/ground/camera_info": "newest",
   "camera/color/camera_info": "slow",
   "safety/state": "all",
@@ -38,8 +39,10 @@ export const statusTopic = "/station/status";
 
 /** Read only while somebody looks: it is most of the flow. */
 export const pictureTopic = "camera/ground/image/compressed";
+export const videoTopic = "camera/ground/video";
 export function isOnDemand(topic: string): boolean {
-  return partsOf(topic).name === pictureTopic;
+  const { name } = partsOf(topic);
+  return name === pictureTopic || name === videoTopic;
 }
 
 /** uav2 before uav10. */

@@ -15,9 +15,11 @@ const result = ["none", "accepted", "refused: too late", "refused: repeated",
   "refused: stamped in the future", "refused: no proof that it comes from who has control",
   "refused: it could not be written down", "refused: these are no bounds",
   "acts, and is being written down", "accepted, but a restart would forget it",
-  "refused: nobody of that number is there", "refused: not safe, or no framing"];
+  "refused: nobody of that number is there", "refused: not safe, or no framing",
+  "refused: this place is outside of the fence"];
 const command = ["start", "hold", "resume", "return", "land", "stop", "take control",
-  "give control back", "take off", "set bounds", "follow a person", "set the framing"];
+  "give control back", "take off", "set bounds", "follow a person", "set the framing",
+  "set the return place"];
 const choice = ["nobody is followed yet", "following", "in doubt", "searching", "lost"];
 const trust = ["itself", "believed", "aligned", "not aligned", "a liar"];
 const level = ["ok", "warning", "error", "stale"];

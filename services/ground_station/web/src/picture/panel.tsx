@@ -17,11 +17,12 @@ export type Layout = "inset" | "picture" | "scene";
 export function whyNone(session: Session): string {
   const { replay, vehicle, link } = session;
   if (!vehicle) return t("no vehicle");
-  if (vehicle.latest["camera/ground/image/compressed"]) return "";
+  const { latest } = vehicle;
+  if (latest["camera/ground/image/compressed"] || latest["camera/ground/video"]) return "";
   if (replay)
-    return replay.recording.topics().some((topic) => topic.endsWith(session.picture.slice(1)))
-      ? "" : t("This recording has no pictures.");
-  if (link.offers(session.picture)) return t("Waiting for the first picture …");
+    return session.hasVideo || replay.recording.topics().includes(session.picture) ? ""
+      : t("This recording has no pictures.");
+  if (link.offers(session.picture) || session.hasVideo) return t("Waiting for the first picture …");
   const color = `${vehicle.name}/camera/color/image`;
   const hasCamera = session.liveState.station?.message.topics.some((topic) =>
     topic.topic.includes(color) && topic.writers > 0) ?? false;
@@ -117,6 +118,13 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
         ) : null}
         <button onClick={toggleFull} aria-pressed={full} title={t("full screen")}
           aria-label={t("full screen")}><Icon name="full" /></button>
+        {session.hasVideo && session.video.possible ? (
+          <button aria-pressed={session.video.on} title={t("as video")} aria-label={t("as video")}
+            onClick={() => {
+              session.video.wanted = !session.video.on;
+              session.changed();
+            }}><Icon name="film" /></button>
+        ) : null}
         <button onClick={() => void snapshot(session, screen.current)} title={t("snapshot")}
           aria-label={t("snapshot")}><Icon name="camera" /></button>
         {hide ? (

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
 import {
-  type BatteryStatus, type FleetDivision, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
+  type BatteryStatus, type CompressedVideo, type FleetDivision, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
   type SafetyState, type ServiceHealth, type TargetIntention, type TargetState,
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
@@ -151,6 +151,10 @@ const foldBodies: Fold = (_state, vehicle, { message }) => {
   vehicle.looks.push(seconds(bodies.header.stamp), bodies);
 };
 
+const foldVideo: Fold = (_state, vehicle, { message }) => {
+  vehicle.video.push(message as CompressedVideo);
+};
+
 const foldDivision: Fold = (state, vehicle, { message }) => {
   const known = new Set(vehicle.latest["fleet/division"]?.message.peers.map((p) => p.vehicle));
   for (const peer of (message as FleetDivision).peers) {
@@ -188,6 +192,7 @@ export const folders: Record<string, Fold> = {
   "target/intention": foldIntention,
   "plan/trajectory": foldPlan,
   "bodies": foldBodies,
+  "camera/ground/video": foldVideo,
   "safety/state": foldSafety,
   "mission/command": foldCommand,
   "fleet/division": foldDivision,

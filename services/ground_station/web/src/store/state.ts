@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that the page knows, at one moment of one flight or recording.
 import type {
-  BatteryStatus, CameraInfo, CompressedImage, DiagnosticStatus, FleetDivision, LocalMap, MovingBodies, Odometry,
+  BatteryStatus, CameraInfo, CompressedImage, CompressedVideo, DiagnosticStatus, FleetDivision, LocalMap, MovingBodies, Odometry,
   PlannedTrajectory, PointCloud2, SafetyState, ServiceHealth, TargetChoice, TargetIntention,
   TargetObservation, TargetPrediction, TargetSearch, TargetState, TransformStamped,
 } from "../data/messages.ts";
 import type { StationStatus } from "../data/station.ts";
 import { History } from "./history.ts";
 import { Series, Trail } from "./series.ts";
+import { VideoRun } from "./video_run.ts";
 
 export interface Heard<T> { message: T; time_s: number }
 
@@ -23,6 +24,7 @@ export interface Latest {
   "target/choice": Heard<TargetChoice>;
   "fleet/division": Heard<FleetDivision>;
   "camera/ground/image/compressed": Heard<CompressedImage>;
+  "camera/ground/video": Heard<CompressedVideo>;
   "camera/ground/camera_info": Heard<CameraInfo>;
   "camera/color/camera_info": Heard<CameraInfo>;
   "safety/state": Heard<SafetyState>;
@@ -61,6 +63,7 @@ export interface Vehicle {
   targetTrail: Trail;
   poses: History<Odometry>; // by their own stamps, for what was seen then
   looks: History<MovingBodies>;
+  video: VideoRun;
 }
 
 export interface Traffic {
@@ -139,7 +142,7 @@ export function makeVehicle(name: string, before: number): Vehicle {
     latency: new Series(["latency"], 0.02),
     lanes: { person: [], plan: [], mission: [], gate: [] }, caused_by_s: -Infinity,
     trail: new Trail(), targetTrail: new Trail(),
-    poses: new History(), looks: new History(),
+    poses: new History(), looks: new History(), video: new VideoRun(),
   };
 }
 

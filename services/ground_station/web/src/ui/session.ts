@@ -5,7 +5,8 @@ import { LiveLink } from "../data/live.ts";
 import type { Recording } from "../data/recording.ts";
 import { Replay } from "../data/replay.ts";
 import type { RawSample } from "../data/sample.ts";
-import { byName, pictureTopic } from "../data/topics.ts";
+import { byName, pictureTopic, videoTopic } from "../data/topics.ts";
+import { VideoChoice } from "../picture/video_choice.ts";
 import { type Input, reduce } from "../store/reduce.ts";
 import { makeState, type State, type Vehicle } from "../store/state.ts";
 import { Operator } from "./operator.ts";
@@ -33,6 +34,7 @@ export class Session {
   readonly operator = new Operator();
   readonly sound = new AlarmSound();
   readonly link: LiveLink;
+  readonly video = new VideoChoice();
   replay: Replay | null = null;
   chosen = ""; // vehicle
   watching = false; // the chosen vehicle's picture is seen
@@ -96,13 +98,29 @@ export class Session {
     return vehicles.keys().next().value ?? station?.message.vehicles[0]?.name ?? "";
   }
 
-  /** The chosen vehicle's topic of pictures, or of whose are offered before anything is heard. */
+  /** Of the chosen vehicle, or of who offers pictures before anything is heard. */
+  private pictured(topic: string): string {
+    return `/${this.vehicle?.name ?? this.link.offering()[0] ?? ""}/${topic}`;
+  }
+  /** The topic of its pictures. */
   get picture(): string {
-    return `/${this.vehicle?.name ?? this.link.offering()[0] ?? ""}/${pictureTopic}`;
+    return this.pictured(pictureTopic);
+  }
+  /** There is a video of it, in what is shown. */
+  get hasVideo(): boolean {
+    const topic = this.pictured(videoTopic);
+    return this.replay ? this.replay.recording.topics().includes(topic) : this.link.offers(topic);
+  }
+  get showsVideo(): boolean {
+    return this.video.on && this.hasVideo;
   }
 
+  // Images until the video runs.
   private wantPicture(): void {
-    this.link.want(this.watching && !this.replay && !document.hidden ? this.picture : "");
+    const watched = this.watching && !this.replay && !document.hidden;
+    const videos = this.showsVideo ? [this.pictured(videoTopic)] : [];
+    const images = this.showsVideo && this.video.runs ? [] : [this.picture];
+    this.link.want(watched ? [...images, ...videos] : []);
   }
 
   /** Once a frame. */

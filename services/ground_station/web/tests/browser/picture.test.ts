@@ -196,6 +196,62 @@ test("a recording shows its pictures, and nobody can be chosen in it", async () 
   await page.getByRole("button", { name: "End replay" }).click();
 });
 
+const showsVideo = (shown: Page = page) => shown.waitForSelector(`${frame}[data-kind="video"]`);
+
+test("the picture is shown as video where it is chosen, and the choice is kept", async () => {
+  await page.context().close();
+  station.close();
+  station = await startStandIn({ vehicles: 1, video: true });
+  page = await open(browser, station.url, { name: "ada" });
+  await page.waitForSelector(`${frame}[data-kind="image"]`);
+  assert.equal(station.videoed.size, 0);
+  await page.getByRole("button", { name: "as video" }).click();
+  await showsVideo();
+  const [painted, before] = [station.painted, await pictures()];
+  await page.waitForTimeout(1200);
+  assert.ok(await pictures() > before + 5);
+  assert.ok(station.painted <= painted + 2, "images are read no more");
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+  await page.getByRole("button", { name: "picture large" }).click();
+  await expectText(page, ".people", /1 · \d\.\d m/);
+  await page.reload();
+  await showsVideo();
+  assert.deepEqual(page.problems, []);
+});
+
+test("a video that cannot be decoded gives way to images, with a word", async () => {
+  await page.context().close();
+  station.close();
+  station = await startStandIn({ vehicles: 1, video: true });
+  station.videoFault = true;
+  page = await open(browser, station.url, { name: "ada" });
+  await page.getByRole("button", { name: "as video" }).click();
+  await expectText(page, '[data-field="answer"]', /No video: .+ Images are shown/);
+  const before = await pictures();
+  await page.waitForTimeout(600);
+  assert.ok(await pictures() > before + 3);
+  assert.equal(await page.getAttribute(frame, "data-kind"), "image");
+  station.videoFault = false;
+  await page.getByRole("button", { name: "as video" }).click();
+  await showsVideo();
+});
+
+test("a recorded video is shown from the key picture before the place that is sought", async () => {
+  const bytes = await syntheticRecording({ begin_s: 1_700_000_000, seconds: 6, video: true });
+  await page.evaluate(() => localStorage.setItem("foretrack.picture", "video"));
+  await page.reload();
+  await tab("Recordings");
+  await page.setInputFiles('[aria-label="open a recording"]',
+    { name: "flight.mcap", mimeType: "application/octet-stream", buffer: Buffer.from(bytes) });
+  await page.getByRole("button", { name: "pause" }).click();
+  await page.fill('[aria-label="go to"]', "4.2"); // keys come at 3.65 s and 4.85 s
+  await page.keyboard.press("Enter");
+  await showsVideo();
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+  const stamp_s = Number(await page.getAttribute(frame, "data-stamp"));
+  assert.ok(Math.abs(stamp_s - 4.15) < 1e-6, `${stamp_s}`);
+});
+
 test("a snapshot is a PNG with what lies over the picture", async () => {
   await page.waitForSelector(`${frame}[data-pictures]`);
   const [download] = await Promise.all([page.waitForEvent("download"),
