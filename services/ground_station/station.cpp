@@ -13,6 +13,7 @@
 #include "services/ground_station/api/api.hpp"
 #include "services/ground_station/bus/bus.hpp"
 #include "services/ground_station/bus/contract.hpp"
+#include "services/ground_station/ground_map/ground_map.hpp"
 #include "services/ground_station/http/files.hpp"
 #include "services/ground_station/recording/recover.hpp"
 #include "services/ground_station/status.hpp"
@@ -50,6 +51,7 @@ class Station {
   GuardOptions guard() const;
   void deliver(const std::vector<Sample>& samples);
   void answer(const Request& request, const Respond& respond);
+  void answer_map(const Request& request, const Respond& respond);
   void publish_status();
   void update_interest();
   bool uses_tls() const { return !options_.server.certificate_file.empty(); }
@@ -67,6 +69,7 @@ class Station {
   std::unique_ptr<Source> source_;
   std::unique_ptr<Commander> commander_;
   std::unique_ptr<Api> api_;
+  std::optional<GroundMap> ground_map_;
   std::map<std::uint32_t, std::string> safety_channels_;  // → vehicle
   double started_s_ = steady_s();
 };
@@ -79,6 +82,7 @@ Station::Station(const StationOptions& options, Stop& stop)
       hub_("foretrack station", kVersion, options.limits),
       server_(options.server, hub_),
       recorder_(options.recorder) {
+  if (!options_.map.empty()) ground_map_ = GroundMap::load(options_.map);
   if (options_.replay) {
     source_ = std::make_unique<Replay>(*options_.replay, outlet());
   } else {
@@ -172,12 +176,21 @@ void Station::answer(const Request& request, const Respond& respond) {
   if (api_->handle(request, respond, steady_s())) return;
   if (request.method != "GET" && request.method != "HEAD")
     return respond(text_response(405, "GET expected"));
+  if (request.path == "/map.json" || request.path.starts_with("/map/"))
+    return answer_map(request, respond);
   auto response = serve_file(options_.page, request.path, request.range, false);
   if (response.status == 404 && request.path == "/") {
     response = text_response(200, kNoPage);
     response.type = "text/html; charset=utf-8";
   }
   respond(std::move(response));
+}
+
+// Where the page needs a token, so does what shows where one flies.
+void Station::answer_map(const Request& request, const Respond& respond) {
+  if (const auto why = api_->refusal_to_read(request); !why.empty())
+    return respond(text_response(401, why));
+  respond(ground_map_ ? ground_map_->answer(request) : text_response(404, "there is no map"));
 }
 
 Status Station::status() {

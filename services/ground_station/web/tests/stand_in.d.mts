@@ -15,6 +15,7 @@ export interface StandIn {
   videoFault: boolean; // what comes of the video cannot be decoded
   videoed: Map<string, number>;
   behind_s: number; // by which samples are older than now
+  map: Map<string, Uint8Array | string>;
   recordings: Map<string, Uint8Array>;
   close(): void;
 }

@@ -36,6 +36,7 @@ class StandIn {
   videoFault = false; // what comes of it cannot be decoded
   videoed = new Map(); // how many pictures of it were sent, by vehicle
   behind_s = 0; // by which samples are older than now, as those of a recording
+  map = new Map(); // files of the map, by path: "map.json"
   recordings = new Map(); // bytes by file name
 
   constructor({ port = 0, vehicles = 1, dist = "dist", blind = false,
@@ -193,6 +194,7 @@ class StandIn {
     const path = new URL(request.url, "http://host").pathname;
     if (path.startsWith("/api/")) return this.api(path.slice(5), request, response);
     if (path.startsWith("/recordings/")) return this.part(path.slice(12), request, response);
+    if (this.map.has(path.slice(1))) return response.writeHead(200).end(this.map.get(path.slice(1)));
     const file = path === "/" ? "index.html" : path.slice(1);
     try {
       const body = readFileSync(join(this.dist, file));

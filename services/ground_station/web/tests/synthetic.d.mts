@@ -13,3 +13,4 @@ export function peopleAt(t: number, index?: number):
   { id: number; x: number; y: number; yaw: number; speed: number }[];
 export function diagnosticsOf(t: number, name: string, band: [number, number]):
   { status: { values: { key: string; value: string }[] }[] };
+export const origin: { lat_deg: number; lon_deg: number };

@@ -49,7 +49,7 @@ function chunk(type, data) {
 }
 
 /** Rows of rgb. */
-function png({ width, height }, paint) {
+export function png({ width, height }, paint) {
   const raw = Buffer.alloc((3 * width + 1) * height);
   for (let y = 0; y < height; y++)
     for (let x = 0; x < width; x++) raw.set(paint(x, y), y * (3 * width + 1) + 1 + 3 * x);

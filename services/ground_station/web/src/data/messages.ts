@@ -282,6 +282,12 @@ export interface DiagnosticStatus {
 }
 export interface DiagnosticArray { header: Header; status: DiagnosticStatus[] }
 
+export interface VehicleLocalPosition {
+  xy_global: boolean;
+  ref_timestamp: bigint;
+  ref_lat: number;
+  ref_lon: number;
+}
 export interface BatteryStatus {
   connected: boolean;
   voltage_v: number;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where it may fly and where it returns to: on a map, and under it.
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 
 import { obstacle } from "../panels/commands.tsx";
 import { type Bounds, boundsOf, homeOf } from "../store/derive.ts";
@@ -15,6 +15,7 @@ export function BoundsPanel({ session }: { session: Session }) {
   const [draft, setDraft] = useState<Bounds | null>(null);
   const [homeDraft, setHomeDraft] = useState<Corner | null>(null);
   const [placing, setPlacing] = useState(false);
+  useEffect(() => void session.loadGround(), []);
   const vehicle = session.replay ? session.vehicle
     : session.liveState.vehicles.get(session.commanded);
   const why = session.replay ? t("a recording is shown") : obstacle(session);
@@ -30,7 +31,7 @@ export function BoundsPanel({ session }: { session: Session }) {
     <section class="bounds" aria-label={t("fence")}>
       <h2>{t("Fence")} <small data-field="bounds">{draft ? t("drawn, not sent yet") : !isSet
         ? t("not known") : isSet.fence_m.length > 0 ? t("as it is set") : t("none is set")}</small></h2>
-      <FlightMap vehicle={vehicle} drawing={{ fence: bounds.fence_m, home: homeDraft ?? home }}
+      <FlightMap session={session} vehicle={vehicle} drawing={{ fence: bounds.fence_m, home: homeDraft ?? home }}
         draws={why ? "nothing" : placing ? "home" : "fence"}
         change={(part) => {
           if (part.fence) setDraft({ ...bounds, fence_m: part.fence });

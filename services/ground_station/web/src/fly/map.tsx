@@ -3,8 +3,11 @@
 // drawn on it.
 import { useRef, useState } from "preact/hooks";
 
+import { originOf } from "../ground/place.ts";
 import type { Vehicle } from "../store/state.ts";
+import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
+import { Background, Coordinates } from "./background.tsx";
 import { type Corner, type Map2d, mapAround, most_corners, scaleOf, toMetres, toPixel, zoomed,
 } from "./fence.ts";
 
@@ -13,6 +16,7 @@ export const [width, height] = [360, 260];
 export interface Drawing { fence: Corner[]; home: Corner | null }
 
 interface MapProps {
+  session: Session;
   vehicle: Vehicle | undefined;
   drawing: Drawing;
   draws: "fence" | "home" | "nothing"; // what a click sets
@@ -96,12 +100,14 @@ function useMap(vehicle: Vehicle | undefined, drawing: Drawing, held: boolean, z
   return kept.current;
 }
 
-export function FlightMap({ vehicle, drawing, draws, change }: MapProps) {
+export function FlightMap({ session, vehicle, drawing, draws, change }: MapProps) {
   const svg = useRef<SVGSVGElement>(null);
   const held = useRef<number | null>(null); // a corner
   const [zoom, setZoom] = useState(1);
   const map = useMap(vehicle, drawing, held.current !== null, zoom);
+  const [pointed, setPointed] = useState<Corner | null>(null);
   const { fence } = drawing;
+  const origin = originOf(vehicle);
   const at = (event: PointerEvent): Corner => {
     const { x, y } = new DOMPoint(event.clientX, event.clientY)
       .matrixTransform(svg.current!.getScreenCTM()!.inverse());
@@ -120,6 +126,7 @@ export function FlightMap({ vehicle, drawing, draws, change }: MapProps) {
     change({ fence: [...fence, at(event)] });
   };
   const move = (event: PointerEvent): void => {
+    setPointed(at(event));
     if (held.current === null) return;
     change({ fence: fence.map((c, k) => (k === held.current ? at(event) : c)) });
   };
@@ -127,12 +134,16 @@ export function FlightMap({ vehicle, drawing, draws, change }: MapProps) {
     <div class="flightmap">
       <svg ref={svg} class="fencemap" viewBox={`0 0 ${width} ${height}`} role="img"
         aria-label={t("map with the fence, north up")} onPointerDown={press} onPointerMove={move}
-        onPointerUp={() => (held.current = null)} onPointerCancel={() => (held.current = null)}>
+        onPointerUp={() => (held.current = null)} onPointerCancel={() => (held.current = null)}
+        onPointerLeave={() => setPointed(null)}>
+        <Background map={map} ground={session.ground} origin={origin} width={width} height={height}
+          query={session.operator.query()} />
         <Known map={map} vehicle={vehicle} drawing={drawing} />
         <Corners map={map} fence={fence} editable={draws === "fence"} hold={hold}
           change={(moved) => change({ fence: moved })} />
         <Ruler map={map} />
       </svg>
+      <Coordinates origin={origin} pointed={pointed} here={hereOf(vehicle)} />
       <nav class="zoom" aria-label={t("map")}>
         <button aria-label={t("closer")} title={t("closer")} onClick={() => setZoom(zoom * 1.5)}>+</button>
         <button aria-label={t("farther")} title={t("farther")} onClick={() => setZoom(zoom / 1.5)}>−</button>

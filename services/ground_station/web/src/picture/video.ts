@@ -28,6 +28,8 @@ export function codecOf(data: Uint8Array): string | null {
 export class VideoReader {
   private decoder: VideoDecoder | null = null;
   private fed = -1; // number of the last picture that the decoder has
+  private faulty: { run: VideoRun | null; last: number } = { run: null, last: -1 }; // not tried again
+  private run: VideoRun | null = null;
   private readonly headers = new Map<number, Header>(); // of those that it still works on
 
   constructor(private readonly outcome: Outcome) {}
@@ -35,6 +37,8 @@ export class VideoReader {
   /** All of the run that the decoder does not have yet; from its key, where one was missed. */
   feed(run: VideoRun): void {
     if (run.first < 0 || run.last === this.fed) return;
+    if (run === this.faulty.run && run.first <= this.faulty.last) return;
+    this.run = run;
     const goesOn = this.decoder !== null && this.fed >= run.first - 1 && this.fed < run.last;
     const from = goesOn ? this.fed + 1 : run.first;
     for (let number = from; number <= run.last; number++)
@@ -82,6 +86,7 @@ export class VideoReader {
   }
 
   private fail(error: Error): void {
+    this.faulty = { run: this.run, last: this.run?.last ?? -1 };
     this.close();
     this.outcome.problem(error.message);
   }

@@ -4,6 +4,7 @@ import type {
   BatteryStatus, CameraInfo, CompressedImage, CompressedVideo, DiagnosticStatus, FleetDivision, LocalMap, MovingBodies, Odometry,
   PlannedTrajectory, PointCloud2, SafetyState, ServiceHealth, TargetChoice, TargetIntention,
   TargetObservation, TargetPrediction, TargetSearch, TargetState, TransformStamped,
+  VehicleLocalPosition,
 } from "../data/messages.ts";
 import type { StationStatus } from "../data/station.ts";
 import { History } from "./history.ts";
@@ -31,6 +32,7 @@ export interface Latest {
   "map/points": Heard<PointCloud2>;
   "map/local": Heard<LocalMap>;
   "fmu/out/battery_status": Heard<BatteryStatus>;
+  "fmu/out/vehicle_local_position": Heard<VehicleLocalPosition>;
 }
 
 /** A stretch of time in which something stayed in one state for one reason. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who commands, with which token; and the requests to the station.
+import type { GroundMap } from "../ground/ground_map.ts";
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 
 export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop" |
@@ -61,6 +62,12 @@ export class Operator {
   async status(): Promise<StationStatus> {
     const answer = await fetch("api/status", { headers: this.headers() });
     return (await answer.json()) as StationStatus;
+  }
+
+  /** null: the station has none, or a token is missing. */
+  async groundMap(): Promise<GroundMap | null> {
+    const answer = await fetch("map.json", { headers: this.headers() }).catch(() => null);
+    return answer?.ok ? ((await answer.json()) as GroundMap) : null;
   }
 
   /** Never throws: what fails is a refusal with a reason. */

@@ -4,6 +4,7 @@ import { Intake } from "../data/intake.ts";
 import { LiveLink } from "../data/live.ts";
 import type { Recording } from "../data/recording.ts";
 import { Replay } from "../data/replay.ts";
+import type { GroundMap } from "../ground/ground_map.ts";
 import type { RawSample } from "../data/sample.ts";
 import { byName, pictureTopic, videoTopic } from "../data/topics.ts";
 import { VideoChoice } from "../picture/video_choice.ts";
@@ -42,6 +43,7 @@ export class Session {
   /** The first picture is there, or none will be soon: what takes the machine long may begin. */
   readonly settled: Promise<true>;
   settle: () => void = () => {};
+  ground: GroundMap | null = null; // the station's map
   fresh = 0; // grows when there is something new to draw
   generation = 0; // of the shown state: the scene and the plots begin anew
   drawsSlowly = false; // the scene takes much of the machine
@@ -56,6 +58,7 @@ export class Session {
     const { state } = this.live;
     this.settled = new Promise((resolve) => (this.settle = () => resolve(true)));
     setTimeout(() => this.settle(), longestStart_ms);
+    void this.settled.then(() => this.loadGround());
     this.link = new LiveLink(() => url + this.operator.query(), {
       link: (open, reason) => this.tell({ kind: "link", open, reason, now_s: this.link.now_s() }),
       problem: (text) => reduce(state, { kind: "problem", text }),
@@ -132,6 +135,12 @@ export class Session {
     else this.feedLive();
     if (this.replay) this.feedReplay(this.replay);
     this.sound.hear(this.live.state);
+  }
+
+  /** Asked for again where a token was missing. */
+  async loadGround(): Promise<void> {
+    if (!this.ground) this.ground = await this.operator.groundMap();
+    this.changed();
   }
 
   choose(name: string): void {
