@@ -190,7 +190,9 @@ void Station::answer(const Request& request, const Respond& respond) {
 void Station::answer_map(const Request& request, const Respond& respond) {
   if (const auto why = api_->refusal_to_read(request); !why.empty())
     return respond(text_response(401, why));
-  respond(ground_map_ ? ground_map_->answer(request) : text_response(404, "there is no map"));
+  if (ground_map_) return respond(ground_map_->answer(request));
+  const bool asks_whether = request.path == "/map.json";
+  respond(asks_whether ? json_response(200, "null") : text_response(404, "there is no map"));
 }
 
 Status Station::status() {

@@ -91,11 +91,13 @@ void write_geotiff(const fs::path& file, const TiffKind& kind) {
 }
 
 TEST(MapGrid, PlacesAreThoseOfTheSurveyors) {
-  // The middle meridian of zone 33, and Berlin's television tower (52.520815, 13.409419).
-  EXPECT_NEAR(to_wgs84({32633}, 500000, 5820000).lon_deg, 15.0, 1e-9);
-  const auto tower = to_wgs84({32633}, 392092.0, 5820056.6);
-  EXPECT_NEAR(tower.lat_deg, 52.5208, 2e-4);
-  EXPECT_NEAR(tower.lon_deg, 13.4094, 2e-4);
+  // As PROJ 9.1 computes them: proj +proj=utm +zone=33 (and 19 +south) +ellps=WGS84.
+  const auto berlin = to_wgs84({32633}, 392081.0659, 5820156.1891);
+  EXPECT_NEAR(berlin.lat_deg, 52.520815, 1e-8);
+  EXPECT_NEAR(berlin.lon_deg, 13.409419, 1e-8);
+  const auto santiago = to_wgs84({32719}, 346642.6950, 6297606.8325);
+  EXPECT_NEAR(santiago.lat_deg, -33.45, 1e-8);
+  EXPECT_NEAR(santiago.lon_deg, -70.65, 1e-8);
   EXPECT_NEAR(to_wgs84({32733}, 500000, 10000000).lat_deg, 0.0, 1e-9);
   EXPECT_NEAR(to_wgs84({3857}, 20037508.342789244, 0).lon_deg, 180.0, 1e-9);
   EXPECT_NEAR(to_wgs84({3857}, 0, 20037508.342789244).lat_deg, 85.0511287798, 1e-9);

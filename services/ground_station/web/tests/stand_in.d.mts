@@ -17,6 +17,8 @@ export interface StandIn {
   behind_s: number; // by which samples are older than now
   map: Map<string, Uint8Array | string>;
   recordings: Map<string, Uint8Array>;
+  recording: { active: boolean; file: string; bytes: number; seconds: number } | null;
+  clips: string[];
   close(): void;
 }
 export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string;

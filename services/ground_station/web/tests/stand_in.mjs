@@ -36,7 +36,9 @@ class StandIn {
   videoFault = false; // what comes of it cannot be decoded
   videoed = new Map(); // how many pictures of it were sent, by vehicle
   behind_s = 0; // by which samples are older than now, as those of a recording
-  map = new Map(); // files of the map, by path: "map.json"
+  recording = null; // as the station's status has it
+  clips = []; // requests
+  map = new Map([["map.json", "null"]]); // files of the map, by path
   recordings = new Map(); // bytes by file name
 
   constructor({ port = 0, vehicles = 1, dist = "dist", blind = false,
@@ -174,7 +176,7 @@ class StandIn {
         lease: this.leases.has(name) ? { operator: this.leases.get(name), expires_s: 30 } : null,
         last_command: this.last.get(name) ?? null,
         unconfirmed: this.unconfirmed.get(name) ?? null })),
-      recording: null, clients: [],
+      recording: this.recording, clients: [],
       topics: [...this.channels.values()].map((c) => ({ topic: c.topic, type: c.schemaName,
         vehicle: c.topic.split("/")[1], writers: 1, readers: 2, rate_hz: 25, bytes_s: 9000,
         age_s: 0.1, limited: false, qos_mismatch: this.mismatched.has(c.topic),
@@ -193,6 +195,7 @@ class StandIn {
   async answer(request, response) {
     const path = new URL(request.url, "http://host").pathname;
     if (path.startsWith("/api/")) return this.api(path.slice(5), request, response);
+    if (path.startsWith("/clips/")) return this.clip(request, response);
     if (path.startsWith("/recordings/")) return this.part(path.slice(12), request, response);
     if (this.map.has(path.slice(1))) return response.writeHead(200).end(this.map.get(path.slice(1)));
     const file = path === "/" ? "index.html" : path.slice(1);
@@ -226,6 +229,11 @@ class StandIn {
     const last = Number(range[1]) + part.length - 1;
     response.writeHead(206, { "Content-Range": `bytes ${range[1]}-${last}/${bytes.length}` });
     response.end(part);
+  }
+
+  clip(request, response) {
+    this.clips.push(request.url);
+    response.writeHead(200, { "Content-Type": "video/webm" }).end("a film");
   }
 
   lease({ vehicle, operator, action, to }) {

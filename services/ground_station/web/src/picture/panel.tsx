@@ -2,6 +2,8 @@
 // What the vehicle sees: as large as wanted, with everybody in it, who can be tapped to be followed.
 import { useEffect, useRef, useState } from "preact/hooks";
 
+import { saveClip } from "../ui/clip.ts";
+import { download } from "../ui/download.ts";
 import { age, timeOfDay } from "../ui/format.ts";
 import { Icon } from "../ui/icon.tsx";
 import type { Session } from "../ui/session.ts";
@@ -30,14 +32,6 @@ export function whyNone(session: Session): string {
     ? t("The vehicle has a camera and sends no pictures: perception is not running, or " +
       "ground_stream is switched off.")
     : t("No colour images come from the vehicle, so there is nothing to show.");
-}
-
-function download(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 async function snapshot(session: Session, screen: PictureScreen | null): Promise<void> {
@@ -127,6 +121,8 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
         ) : null}
         <button onClick={() => void snapshot(session, screen.current)} title={t("snapshot")}
           aria-label={t("snapshot")}><Icon name="camera" /></button>
+        <button onClick={() => void saveClip(session)} title={t("clip of the last 20 s")}
+          aria-label={t("clip of the last 20 s")}><Icon name="clip" /></button>
         {hide ? (
           <button onClick={hide} title={t("hide the picture")}
             aria-label={t("hide the picture")}><Icon name="close" /></button>

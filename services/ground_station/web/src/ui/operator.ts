@@ -67,7 +67,7 @@ export class Operator {
   /** null: the station has none, or a token is missing. */
   async groundMap(): Promise<GroundMap | null> {
     const answer = await fetch("map.json", { headers: this.headers() }).catch(() => null);
-    return answer?.ok ? ((await answer.json()) as GroundMap) : null;
+    return answer?.ok ? ((await answer.json()) as GroundMap | null) : null;
   }
 
   /** Never throws: what fails is a refusal with a reason. */

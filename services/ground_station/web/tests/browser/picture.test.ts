@@ -278,6 +278,19 @@ test("a snapshot is a PNG with what lies over the picture", async () => {
   assert.match(download.suggestedFilename(), /^uav1_\d+\.png$/);
 });
 
+test("a clip of the last seconds is asked of the station, live and of a recording", async () => {
+  const clip = page.getByRole("button", { name: "clip of the last 20 s" });
+  const answer = '[data-field="answer"]';
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  await clip.click();
+  await expectText(page, answer, /Nothing is recorded/);
+  station.recording = { active: true, file: "today.mcap", bytes: 1, seconds: 50.5 };
+  await page.waitForFunction("foretrack.liveState.station.message.recording !== null");
+  const [film] = await Promise.all([page.waitForEvent("download"), clip.click()]);
+  assert.equal(film.suggestedFilename(), "today_uav1_31s.webm");
+  assert.deepEqual(station.clips, ["/clips/today.webm?vehicle=uav1&from_s=30.50&to_s=50.50"]);
+});
+
 test("alarms sound until they are acknowledged, unless they are muted", async () => {
   await page.waitForSelector('[data-vehicle="uav2"]');
   const played = () => page.evaluate("foretrack.sound.played") as Promise<number>;
