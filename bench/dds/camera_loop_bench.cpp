@@ -40,6 +40,7 @@ struct Options {
   double seconds = 30.0;
   std::uint64_t seed = 5001;
   bool separate = false;
+  std::string delays;  // file for every single one
 };
 
 // What the vehicle's processes used so far.
@@ -109,6 +110,9 @@ class Ear {
     modes_.clear();
     errors_m_.clear();
   }
+  void write_delays(std::ostream& out) const {
+    for (const StageDelay& stage : stages_) out << stage.rows();
+  }
   void report(double seconds) const {
     fmt::print("images looked at: {:.1f} a second, a person found in {:.1f} %\n",
                looked_at_ / seconds, looked_at_ ? 100.0 * found_ / looked_at_ : 0.0);
@@ -150,6 +154,8 @@ class Ear {
 void measure(const Options& o, const std::string& model, const Scenario& scenario,
              std::vector<RecordedStep> steps) {
   const FreeDomain domain;
+  fmt::print("domain {}\n", domain.id());  // for who wants to listen too
+  std::fflush(stdout);
   const fs::path folder = "/tmp/foretrack_camera_loop_bench." + std::to_string(getpid());
   fs::create_directories(folder);
   const auto complexity = std::find(kModels.begin(), kModels.end(), model) - kModels.begin();
@@ -188,6 +194,7 @@ void measure(const Options& o, const std::string& model, const Scenario& scenari
   const double seconds = ear_service.clock().now_s() - from_s;
   fmt::print("\n{} model, {} map, {:.0f} s\n", model, o.map, seconds);
   ear.report(seconds);
+  if (std::ofstream out(o.delays, std::ios::app); out) ear.write_delays(out);
   double sum_s = 0.0;
   for (const auto& [name, cpu_s] : cpu_of(launcher)) {
     sum_s += cpu_s - before[name];
@@ -229,6 +236,7 @@ int main(int argc, char** argv) {
   app.add_option("--scenario", o.scenario)->capture_default_str();
   app.add_option("--seed", o.seed)->capture_default_str();
   app.add_option("--map", o.map)->check(CLI::IsMember({"depth", "known"}))->capture_default_str();
+  app.add_option("--delays", o.delays, "file to which every single delay is appended");
   app.add_flag("--separate", o.separate, "each service a process, and its processor's time");
   return foretrack::run_bench(app, argc, argv, [&] { return foretrack::run(o); });
 }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "services/common/topics.hpp"
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/schemas/schemas.hpp"
 
@@ -39,6 +40,13 @@ Channel channel_of(const std::string& wire, const SurveyedTopic& found, std::uin
     c.schema = schema->text;
   }
   return c;
+}
+
+// Vehicles encode pictures while somebody reads them, and send them over their link.
+bool is_made_when_read(const std::string& wire) {
+  const ContractTopic* topic = contract_of(wire);
+  return topic && (topic->name == topics::GroundImage::info.name ||
+                   topic->name == topics::GroundVideo::info.name);
 }
 
 std::vector<std::string> names_of(const std::set<PeerId>& peers,
@@ -144,8 +152,8 @@ void Bus::update(const std::string& name, Topic& topic, double now_s) {
   } else if (now_s - topic.alone_s > kLinger_s) {
     close(topic);
   }
-  if (topic.reader && !wanted && topic.bytes_s > kRestBytes_s &&
-      now_s - topic.opened_s > kRestAfter_s) {
+  const bool rests_unread = topic.bytes_s > kRestBytes_s || is_made_when_read(name);
+  if (topic.reader && !wanted && rests_unread && now_s - topic.opened_s > kRestAfter_s) {
     stop_reading(topic);
     hearing_.reset();  // of somebody it may be all that was heard
     topic.resting = true;

@@ -20,9 +20,10 @@
 namespace foretrack::station {
 
 /// A channel opens when a topic has a writer and closes 10 s after its last writer left, so that a
-/// service that restarts keeps its channel. A topic of more than 1 MB/s that nobody wants rests.
-/// The bus is joined anew, with a participant that nobody knows, in two cases: a peer lives but is
-/// no longer heard, or the process stood still for so long that peers may have dropped it. Channels
+/// service that restarts keeps its channel. A topic of more than 1 MB/s that nobody wants rests,
+/// and so do the pictures for the ground, which vehicles encode only while they are read. The bus
+/// is joined anew, with a participant that nobody knows, in two cases: a peer lives but is no
+/// longer heard, or the process stood still for so long that peers may have dropped it. Channels
 /// stay.
 class Bus : public Source {
  public:
