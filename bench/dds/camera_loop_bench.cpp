@@ -24,13 +24,14 @@
 #include "services/launch/flight_processes.hpp"
 #include "services/launch/launcher.hpp"
 #include "services/launch/usage.hpp"
+#include "services/operator/order_sender.hpp"
 
 namespace foretrack {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr double kStart_s = 3.0;   // for the services to start and to find each other
-constexpr double kWarmUp_s = 4.0;  // of the replay: load the networks, take off, find the person
+constexpr double kWarmUp_s = 6.0;  // of the replay: load the networks, find the person, start
 constexpr double kSameStamp_s = 1e-5;
 constexpr std::array kModels = {"lite", "full", "heavy"};
 
@@ -56,13 +57,14 @@ std::vector<ProcessSpec> onboard_of(const Options& o, int domain, const fs::path
   flight.domain = domain;
   flight.map = o.map;
   flight.params_file = params;
+  flight.state_folder = params.parent_path() / "gate";
   std::vector<ProcessSpec> processes = onboard_processes(flight);
   for (auto& process : processes) std::erase(process.arguments, "--use-sim-time");
   if (o.separate) return processes;
-  ProcessSpec together = processes.front();
-  together.name = together.arguments.front() = "onboard";
-  if (o.map == "known") together.arguments.push_back("--no-mapping");
-  return {together};
+  ProcessSpec stages = processes.front();  // the others of them in one process, as onboard has it
+  stages.name = stages.arguments.front() = "stages";
+  if (o.map == "known") stages.arguments.push_back("--no-mapping");
+  return {stages, processes.back()};
 }
 
 // Hears the loop, and knows of each image when it was taken.
@@ -177,6 +179,11 @@ void measure(const Options& o, const std::string& model, const Scenario& scenari
   const double launched_s = ear_service.clock().now_s(), begin_s = launched_s + kStart_s;
   ear.start(begin_s);
   replay.start_at(begin_s);
+  OrderSender start(ear_service.node(), {.order = MissionOrder::kStart});
+  start.insist();
+  ear_service.loop().every_wall(0.05, [&] {
+    if (ear_service.clock().now_s() > begin_s) start.update();
+  });
   std::map<std::string, double> before;
   double from_s = 0.0, own_before_s = 0.0;
   ear_service.loop().every_wall(0.02, [&] {
