@@ -118,7 +118,7 @@ TEST_F(ClipTest, AnotherReaderFindsEachPictureAtItsOwnTime) {
 }
 
 TEST_F(ClipTest, ASpanIsByTheTimeOfTheRecording) {
-  const Clip clip = make_clip(record(walk()), {.from_s = 1.5, .to_s = 2.5});
+  const Clip clip = make_clip(record(walk()), {.vehicle = {}, .from_s = 1.5, .to_s = 2.5});
   EXPECT_EQ(clip.pictures, 10);
   auto video = open(clip);
   cv::Mat bgr;
@@ -126,12 +126,32 @@ TEST_F(ClipTest, ASpanIsByTheTimeOfTheRecording) {
   EXPECT_GT(foretrack::testing::psnr_db(street(3.0 * 5), rgb_of(bgr)), 28.0) << "that of 1.5 s";
 }
 
-TEST_F(ClipTest, ItIsSoughtByItsKeyPictures) {
-  auto video = open(make_clip(record(walk()), {}));
-  ASSERT_TRUE(video.set(cv::CAP_PROP_POS_MSEC, 12000.0));
-  cv::Mat bgr;
-  ASSERT_TRUE(video.read(bgr));
-  EXPECT_NEAR(video.get(cv::CAP_PROP_POS_MSEC), 12000.0, 2100.0);
+// As RFC 9559 has it: cues give the time of a cluster and its place in the segment.
+TEST_F(ClipTest, ItIsSoughtByCuesThatPointToClustersOfTheirTimes) {
+  const std::string file = make_clip(record(walk()), {}).webm;
+  const auto number_at = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = at; i < at + 8; ++i)
+      value = value << 8 | static_cast<std::uint8_t>(file[i]);
+    return value;
+  };
+  const std::string eight("\x01\0\0\0\0\0\0\x08", 8);  // of a size of eight bytes
+  const auto segment = file.find("\x18\x53\x80\x67") + 12, cues = file.find("\x1C\x53\xBB\x6B");
+  const auto first_cluster = file.find("\x1F\x43\xB6\x75");
+  ASSERT_LT(cues, first_cluster);
+  EXPECT_EQ(number_at(segment - 8) & 0xFFFFFFFFFFFFFF, file.size() - segment);
+  std::vector<std::uint64_t> times_ms;
+  for (auto at = cues; (at = file.find("\xB3" + eight, at)) < first_cluster; ++at) {
+    times_ms.push_back(number_at(at + 9));
+    const auto cluster = segment + number_at(file.find("\xF1" + eight, at) + 9);
+    EXPECT_EQ(file.substr(cluster, 4), "\x1F\x43\xB6\x75");
+    EXPECT_EQ(number_at(cluster + 12 + 9), times_ms.back());
+  }
+  ASSERT_GE(times_ms.size(), 6u);  // of 17.6 s, in 5 of which there is nothing
+  for (std::size_t i = 1; i < times_ms.size(); ++i) {
+    EXPECT_GE(times_ms[i], times_ms[i - 1] + 2000);
+    EXPECT_LE(times_ms[i], times_ms[i - 1] + 6000);
+  }
 }
 
 TEST_F(ClipTest, OfSeveralVehiclesOneIsNamed) {
@@ -145,7 +165,7 @@ TEST_F(ClipTest, OfSeveralVehiclesOneIsNamed) {
 
 TEST_F(ClipTest, WhereThereIsNoneTheReasonSaysWhatThereIs) {
   EXPECT_THAT(why_not({}, {}), HasSubstr("there are no pictures in it"));
-  EXPECT_EQ(why_not(walk(), {.from_s = 100.0, .to_s = 110.0}),
+  EXPECT_EQ(why_not(walk(), {.vehicle = {}, .from_s = 100.0, .to_s = 110.0}),
             "there is no picture from 100 to 110 s: there are of uav1 from 1.0 to 18.6 s");
   EXPECT_THAT(why_not({{"uav1", 0.0, street(0, 64, 48)}, {"uav1", 700.0, street(0, 64, 48)}}, {}),
               HasSubstr("at most 600 s"));

@@ -145,9 +145,9 @@ TEST(Api, TellsWhatARecordingHoldsAndNothingFromElsewhere) {
   EXPECT_EQ(page.type, "text/html; charset=utf-8");
   EXPECT_NE(page.body.find("No vehicle is in this recording."), std::string::npos);
   const std::string clip = "/clips/" + file.substr(0, file.size() - 5) + ".webm";
-  EXPECT_EQ(desk.ask_and_wait(clip).body, "there are no pictures in it");
+  EXPECT_EQ(desk.ask_and_wait(clip).body, "there are no pictures in it\n");
   EXPECT_EQ(desk.ask_and_wait(clip, "from_s=now").body,
-            "'from_s' is 'now': seconds from the recording's beginning expected");
+            "'from_s' is 'now': seconds from the recording's beginning expected\n");
 }
 
 TEST(Api, OrdersNeedAValidToken) {
