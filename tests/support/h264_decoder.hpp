@@ -3,8 +3,8 @@
 #pragma once
 
 #if __has_include(<wels/codec_api.h>)
-
 #include <wels/codec_api.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,14 @@
 
 namespace foretrack::testing {
 
+/// Peak signal to noise, over all pixels and colours of both. Precondition: of one size.
+inline double psnr_db(const RgbImage& a, const RgbImage& b) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) squares += std::pow(a.rgb[i] - b.rgb[i], 2);
+  return 10.0 * std::log10(255.0 * 255.0 * static_cast<double>(a.rgb.size()) / squares);
+}
+
+#if __has_include(<wels/codec_api.h>)
 /// OpenH264's own decoder, as a viewer that has just come.
 class H264Decoder {
  public:
@@ -67,14 +75,6 @@ class H264Decoder {
 
   ISVCDecoder* decoder_ = nullptr;
 };
-
-/// Peak signal to noise, over all pixels and colours of both. Precondition: of one size.
-inline double psnr_db(const RgbImage& a, const RgbImage& b) {
-  double squares = 0.0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) squares += std::pow(a.rgb[i] - b.rgb[i], 2);
-  return 10.0 * std::log10(255.0 * 255.0 * static_cast<double>(a.rgb.size()) / squares);
-}
+#endif
 
 }  // namespace foretrack::testing
-
-#endif

@@ -39,9 +39,11 @@ PictureLabel GroundStream::label_at(double stamp_s, const std::string& frame_id)
   shares_ = share_bandwidth(params_, output_->image.readers() > 0, viewers > 0);
   const auto& [image, video] = shares_;
   PictureLabel label{stamp_s, frame_id, params_.width_px};
-  if (is_due(image_pace_, stamp_s, image)) label.jpeg_quality = quality_of(image_pace_, image);
   if (is_due(video_pace_, stamp_s, video))
     label.video = VideoWish{stamp_s, video.bandwidth_kbit_s, video.rate_hz, viewers};
+  const bool in_step = !video.enabled || label.video;  // so that one image serves both
+  if (in_step && is_due(image_pace_, stamp_s, image))
+    label.jpeg_quality = quality_of(image_pace_, image);
   return label;
 }
 

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/perception/picture_encoder.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <utility>
 
 #include "core/perception/shrink_image.hpp"
 #include "services/convert/encode_jpeg.hpp"
 
 namespace foretrack {
+namespace {
+
+constexpr int kNice = 10;  // where both want the processor, the loop goes first
+
+}  // namespace
 
 PictureEncoder::PictureEncoder() : thread_([this] { run(); }) {}
 
@@ -40,6 +48,7 @@ bool PictureEncoder::take(EncodedPicture& out) {
 }
 
 void PictureEncoder::run() {
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);  // of this thread alone
   Picture picture;
   EncodedPicture encoded;
   std::unique_lock lock(mutex_);
