@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser|flight: bundles
+// node tests/run.mjs types: checks the types. node tests/run.mjs unit|browser|flight|measure: bundles
 // tests/<kind>/*.test.ts and runs them by node's runner; of them only <name>.test.ts with a third word.
 // Exits with 77, which ctest takes for skipped, where npm's packages were not installed.
 import { spawnSync } from "node:child_process";
@@ -20,7 +20,7 @@ if (kind === "types") {
   process.exit(spawnSync(process.execPath, [tsc, "--noEmit", "-p", web],
     { stdio: "inherit" }).status ?? 1);
 }
-if (kind === "flight" && !existsSync(process.env["FORETRACK_PROGRAM"] ?? "")) {
+if ((kind === "flight" || kind === "measure") && !existsSync(process.env["FORETRACK_PROGRAM"] ?? "")) {
   console.log("skipped: FORETRACK_PROGRAM is not the program");
   process.exit(77);
 }
