@@ -97,6 +97,17 @@ test("the followed person has a box where they are, and everybody else a number"
   await page.getByRole("button", { name: "picture large" }).click();
   await page.waitForSelector('.people [aria-pressed="true"]');
   await expectText(page, '.people [aria-pressed="true"]', /◉ \d+ · [123]\.\d m/);
+  const listed = () => page.evaluate(() => {
+    const { latest } = (window as never as { foretrack: any }).foretrack.vehicle;
+    const { x, y } = latest["odometry"].message.pose.pose.position;
+    const { id, position_m } = latest["bodies"].message.bodies.find((b: any) => b.followed);
+    const [, told, far] = /(\d+) · ([\d.]+) m/.exec(
+      document.querySelector('.people [aria-pressed="true"]')!.textContent!)!.map(Number);
+    return { id, told, far, away: Math.hypot(position_m[0] - x, position_m[1] - y) };
+  });
+  const { id, told, far, away } = await listed();
+  assert.equal(told, id);
+  assert.ok(Math.abs(far! - away) < 0.3, `${far} m, ${away} m by the topics`); // both walk and fly on
   if (shots) {
     mkdirSync(shots, { recursive: true });
     await page.screenshot({ path: join(shots, "picture.png") });
