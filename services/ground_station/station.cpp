@@ -15,6 +15,7 @@
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/ground_map/ground_map.hpp"
 #include "services/ground_station/http/files.hpp"
+#include "services/ground_station/hub/video_chain.hpp"
 #include "services/ground_station/recording/recover.hpp"
 #include "services/ground_station/status.hpp"
 
@@ -26,6 +27,7 @@ constexpr double kCheckPeriod_s = 0.25;
 constexpr double kCommandPeriod_s = 0.02;
 constexpr int kNiceness = 5;  // what flies comes first, where both share a machine
 constexpr std::string_view kSafetyTopic = "/safety/state";
+constexpr std::string_view kImageSchema = "sensor_msgs/msg/CompressedImage";
 
 constexpr char kNoPage[] =
     "<!doctype html><meta charset=utf-8><title>foretrack station</title>"
@@ -53,6 +55,8 @@ class Station {
   void answer(const Request& request, const Respond& respond);
   void answer_map(const Request& request, const Respond& respond);
   void publish_status();
+  void expect_page();
+  std::set<std::uint32_t> interest() const;
   void update_interest();
   bool uses_tls() const { return !options_.server.certificate_file.empty(); }
   Status status();
@@ -166,10 +170,14 @@ void Station::set_up_server() {
   if (commander_) server_.every(kCommandPeriod_s, [this] { commander_->tick(steady_s()); });
 }
 
-void Station::update_interest() {
+std::set<std::uint32_t> Station::interest() const {
   auto wanted = hub_.wanted();
   wanted.merge(recorder_.wanted());
-  source_->want(std::move(wanted));
+  return wanted;
+}
+
+void Station::update_interest() {
+  source_->want(interest());
 }
 
 void Station::answer(const Request& request, const Respond& respond) {
@@ -178,12 +186,26 @@ void Station::answer(const Request& request, const Respond& respond) {
     return respond(text_response(405, "GET expected"));
   if (request.path == "/map.json" || request.path.starts_with("/map/"))
     return answer_map(request, respond);
+  if (request.path == "/") expect_page();
   auto response = serve_file(options_.page, request.path, request.range, false);
   if (response.status == 404 && request.path == "/") {
     response = text_response(200, kNoPage);
     response.type = "text/html; charset=utf-8";
   }
   respond(std::move(response));
+}
+
+// Whoever opens the page waits for a picture of its first vehicle: it is read from now on, while
+// the page still loads. If nobody subscribes, it rests again.
+void Station::expect_page() {
+  std::map<std::string, std::uint32_t> images;
+  for (const auto& [id, channel] : hub_.channels())
+    if (is_ground_picture(channel) && channel.schema_name == kImageSchema)
+      images[channel.topic] = id;
+  if (images.empty()) return;
+  auto wanted = interest();
+  wanted.insert(images.begin()->second);
+  source_->want(std::move(wanted));
 }
 
 // Where the page needs a token, so does what shows where one flies.
