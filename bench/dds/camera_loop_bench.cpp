@@ -24,13 +24,14 @@
 #include "services/launch/flight_processes.hpp"
 #include "services/launch/launcher.hpp"
 #include "services/launch/usage.hpp"
+#include "services/operator/order_sender.hpp"
 
 namespace foretrack {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr double kStart_s = 3.0;   // for the services to start and to find each other
-constexpr double kWarmUp_s = 4.0;  // of the replay: load the networks, take off, find the person
+constexpr double kWarmUp_s = 6.0;  // of the replay: load the networks, find the person, start
 constexpr double kSameStamp_s = 1e-5;
 constexpr std::array kModels = {"lite", "full", "heavy"};
 
@@ -40,6 +41,7 @@ struct Options {
   double seconds = 30.0;
   std::uint64_t seed = 5001;
   bool separate = false;
+  std::string delays;  // file for every single one
 };
 
 // What the vehicle's processes used so far.
@@ -55,13 +57,14 @@ std::vector<ProcessSpec> onboard_of(const Options& o, int domain, const fs::path
   flight.domain = domain;
   flight.map = o.map;
   flight.params_file = params;
+  flight.state_folder = params.parent_path() / "gate";
   std::vector<ProcessSpec> processes = onboard_processes(flight);
   for (auto& process : processes) std::erase(process.arguments, "--use-sim-time");
   if (o.separate) return processes;
-  ProcessSpec together = processes.front();
-  together.name = together.arguments.front() = "onboard";
-  if (o.map == "known") together.arguments.push_back("--no-mapping");
-  return {together};
+  ProcessSpec stages = processes.front();  // the others of them in one process, as onboard has it
+  stages.name = stages.arguments.front() = "stages";
+  if (o.map == "known") stages.arguments.push_back("--no-mapping");
+  return {stages, processes.back()};
 }
 
 // Hears the loop, and knows of each image when it was taken.
@@ -109,6 +112,9 @@ class Ear {
     modes_.clear();
     errors_m_.clear();
   }
+  void write_delays(std::ostream& out) const {
+    for (const StageDelay& stage : stages_) out << stage.rows();
+  }
   void report(double seconds) const {
     fmt::print("images looked at: {:.1f} a second, a person found in {:.1f} %\n",
                looked_at_ / seconds, looked_at_ ? 100.0 * found_ / looked_at_ : 0.0);
@@ -150,6 +156,8 @@ class Ear {
 void measure(const Options& o, const std::string& model, const Scenario& scenario,
              std::vector<RecordedStep> steps) {
   const FreeDomain domain;
+  fmt::print("domain {}\n", domain.id());  // for who wants to listen too
+  std::fflush(stdout);
   const fs::path folder = "/tmp/foretrack_camera_loop_bench." + std::to_string(getpid());
   fs::create_directories(folder);
   const auto complexity = std::find(kModels.begin(), kModels.end(), model) - kModels.begin();
@@ -171,6 +179,11 @@ void measure(const Options& o, const std::string& model, const Scenario& scenari
   const double launched_s = ear_service.clock().now_s(), begin_s = launched_s + kStart_s;
   ear.start(begin_s);
   replay.start_at(begin_s);
+  OrderSender start(ear_service.node(), {.order = MissionOrder::kStart});
+  start.insist();
+  ear_service.loop().every_wall(0.05, [&] {
+    if (ear_service.clock().now_s() > begin_s) start.update();
+  });
   std::map<std::string, double> before;
   double from_s = 0.0, own_before_s = 0.0;
   ear_service.loop().every_wall(0.02, [&] {
@@ -188,6 +201,7 @@ void measure(const Options& o, const std::string& model, const Scenario& scenari
   const double seconds = ear_service.clock().now_s() - from_s;
   fmt::print("\n{} model, {} map, {:.0f} s\n", model, o.map, seconds);
   ear.report(seconds);
+  if (std::ofstream out(o.delays, std::ios::app); out) ear.write_delays(out);
   double sum_s = 0.0;
   for (const auto& [name, cpu_s] : cpu_of(launcher)) {
     sum_s += cpu_s - before[name];
@@ -229,6 +243,7 @@ int main(int argc, char** argv) {
   app.add_option("--scenario", o.scenario)->capture_default_str();
   app.add_option("--seed", o.seed)->capture_default_str();
   app.add_option("--map", o.map)->check(CLI::IsMember({"depth", "known"}))->capture_default_str();
+  app.add_option("--delays", o.delays, "file to which every single delay is appended");
   app.add_flag("--separate", o.separate, "each service a process, and its processor's time");
   return foretrack::run_bench(app, argc, argv, [&] { return foretrack::run(o); });
 }

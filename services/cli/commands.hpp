@@ -22,7 +22,7 @@ std::vector<Command> flight_commands();
 std::vector<Command> service_commands();
 
 /// What an operator uses: up, demo, order, monitor, topics, doctor, station, record, replay,
-/// report, discovery-server, security. Only in a build with DDS.
+/// report, clip, discovery-server, security. Only in a build with DDS.
 std::vector<Command> operator_commands();
 
 std::function<int()> prepare_fly(CLI::App& app);
@@ -41,6 +41,7 @@ std::function<int()> prepare_station(CLI::App& app);
 std::function<int()> prepare_record(CLI::App& app);
 std::function<int()> prepare_replay(CLI::App& app);
 std::function<int()> prepare_report(CLI::App& app);
+std::function<int()> prepare_clip(CLI::App& app);
 std::function<int()> prepare_check(CLI::App& app);
 std::function<int()> prepare_discovery_server(CLI::App& app);
 std::function<int()> prepare_security(CLI::App& app);

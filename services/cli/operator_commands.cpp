@@ -15,6 +15,7 @@ std::vector<Command> operator_commands() {
       {"record", "every topic to MCAP files", prepare_record},
       {"replay", "a recording, to the station's page or onto the bus", prepare_replay},
       {"report", "what happened in a recording, as one page", prepare_report},
+      {"clip", "what a vehicle saw in a recording, as a video", prepare_clip},
       {"discovery-server", "where processes meet that multicast does not reach",
        prepare_discovery_server},
       {"security", "keys for a secured bus: make, renew, check, revoke", prepare_security}};

@@ -68,6 +68,10 @@ void add_server_options(CLI::App& app, StationArguments& arguments) {
   app.add_option("--address", o.server.address, "To listen on")->capture_default_str();
   app.add_option("--port", o.server.port, "To listen on; 0: a free one")->capture_default_str();
   app.add_option("--page", arguments.page, "Folder of the page")->check(CLI::ExistingDirectory);
+  app.add_option(
+      "--map", o.map,
+      "Under the page's map: a folder of tiles, a PNG or JPEG whose place is known, or a "
+      "GeoTIFF");
   app.add_option("--allow-host", o.more_hosts, "Also answer to this name:port");
   app.add_option("--allow-origin", o.more_origins,
                  "Also serve pages of this origin: https://app.foxglove.dev");

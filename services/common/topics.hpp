@@ -122,6 +122,10 @@ struct GroundImage {
   static constexpr TopicInfo info{"camera/ground/image/compressed", Scope::kVehicle, "image",
                                   kVehicle};
 };
+struct GroundVideo {
+  using Type = foxglove_msgs::msg::CompressedVideo;
+  static constexpr TopicInfo info{"camera/ground/video", Scope::kVehicle, "image", kVehicle};
+};
 struct GroundCameraInfo {
   using Type = sensor_msgs::msg::CameraInfo;
   static constexpr TopicInfo info{"camera/ground/camera_info", Scope::kVehicle, "sensor", kVehicle};
@@ -252,9 +256,9 @@ using All =
                ColorCameraInfo, Odometry, Clock, TargetState, LocalMap, OctoMap, MapPoints,
                TargetIntention, TargetPrediction, PlannedTrajectory, TargetSearch, SafetyState,
                MissionCommand, ServiceHealth, BodySightings, MovingBodies, TargetChoice,
-               GroundImage, GroundCameraInfo, FleetMember, FleetDivision, FleetBodies, FleetTarget,
-               PredictionPath, PlanPath, Markers, Transforms, StaticTransforms, Diagnostics,
-               TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
+               GroundImage, GroundVideo, GroundCameraInfo, FleetMember, FleetDivision, FleetBodies,
+               FleetTarget, PredictionPath, PlanPath, Markers, Transforms, StaticTransforms,
+               Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
                Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4HomePosition,
                Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
                Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;

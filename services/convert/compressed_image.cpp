@@ -82,6 +82,15 @@ Decoded decode_png(Bytes data, Size expected, Size& found, std::uint8_t* rgb) {
   return !fits ? Decoded::kOtherSize : read ? Decoded::kWell : Decoded::kBroken;
 }
 
+constexpr unsigned kMostPx = 4096;
+
+bool is_jpeg(Bytes data) {
+  return begins_with(data, {0xFF, 0xD8, 0xFF});
+}
+bool is_png(Bytes data) {
+  return begins_with(data, {0x89, 'P', 'N', 'G'});
+}
+
 }  // namespace
 
 Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
@@ -89,8 +98,7 @@ Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
   Checks checks;
   checks.stamp("header.stamp", in.header().stamp());
   const Bytes data(in.data());
-  const bool jpeg = begins_with(data, {0xFF, 0xD8, 0xFF});
-  const bool png = begins_with(data, {0x89, 'P', 'N', 'G'});
+  const bool jpeg = is_jpeg(data), png = is_png(data);
   if (!jpeg && !png)
     checks.fail("format", fmt::format("'{:.32}'", in.format()), "a JPEG or PNG picture");
   if (!checks.ok()) return checks.result(RgbImage());
@@ -107,6 +115,23 @@ Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
   if (decoded == Decoded::kBroken)
     checks.fail("data", fmt::format("a broken picture of {} bytes", data.size()), "a whole one");
   return checks.result(std::move(out));
+}
+
+Converted<RgbImage> rgb_of_any_size(const sensor_msgs::msg::CompressedImage& in,
+                                    std::vector<std::uint8_t> buffer) {
+  const Bytes data(in.data());
+  Size size;  // nothing is decoded, as none is expected to be so small
+  if (is_jpeg(data)) decode_jpeg(data, {}, size, nullptr);
+  if (is_png(data)) decode_png(data, {}, size, nullptr);
+  if (std::max(size.width, size.height) > kMostPx) {
+    Checks checks;
+    checks.fail("data", size_text(size.width, size.height), "at most 4096 px a side");
+    return checks.result(RgbImage());
+  }
+  CameraModel camera;
+  camera.width_px = static_cast<int>(size.width);
+  camera.height_px = static_cast<int>(size.height);
+  return rgb_from_idl(in, camera, std::move(buffer));
 }
 
 }  // namespace foretrack

@@ -17,4 +17,8 @@ namespace foretrack {
 Converted<RgbImage> rgb_from_idl(const sensor_msgs::msg::CompressedImage& in,
                                  const CameraModel& camera, std::vector<std::uint8_t> buffer = {});
 
+/// The same of whatever size the picture says, up to 4096 px a side.
+Converted<RgbImage> rgb_of_any_size(const sensor_msgs::msg::CompressedImage& in,
+                                    std::vector<std::uint8_t> buffer = {});
+
 }  // namespace foretrack

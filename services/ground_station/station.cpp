@@ -13,7 +13,9 @@
 #include "services/ground_station/api/api.hpp"
 #include "services/ground_station/bus/bus.hpp"
 #include "services/ground_station/bus/contract.hpp"
+#include "services/ground_station/ground_map/ground_map.hpp"
 #include "services/ground_station/http/files.hpp"
+#include "services/ground_station/hub/video_chain.hpp"
 #include "services/ground_station/recording/recover.hpp"
 #include "services/ground_station/status.hpp"
 
@@ -25,6 +27,7 @@ constexpr double kCheckPeriod_s = 0.25;
 constexpr double kCommandPeriod_s = 0.02;
 constexpr int kNiceness = 5;  // what flies comes first, where both share a machine
 constexpr std::string_view kSafetyTopic = "/safety/state";
+constexpr std::string_view kImageSchema = "sensor_msgs/msg/CompressedImage";
 
 constexpr char kNoPage[] =
     "<!doctype html><meta charset=utf-8><title>foretrack station</title>"
@@ -50,7 +53,10 @@ class Station {
   GuardOptions guard() const;
   void deliver(const std::vector<Sample>& samples);
   void answer(const Request& request, const Respond& respond);
+  void answer_map(const Request& request, const Respond& respond);
   void publish_status();
+  void expect_page();
+  std::set<std::uint32_t> interest() const;
   void update_interest();
   bool uses_tls() const { return !options_.server.certificate_file.empty(); }
   Status status();
@@ -67,6 +73,7 @@ class Station {
   std::unique_ptr<Source> source_;
   std::unique_ptr<Commander> commander_;
   std::unique_ptr<Api> api_;
+  std::optional<GroundMap> ground_map_;
   std::map<std::uint32_t, std::string> safety_channels_;  // → vehicle
   double started_s_ = steady_s();
 };
@@ -79,6 +86,7 @@ Station::Station(const StationOptions& options, Stop& stop)
       hub_("foretrack station", kVersion, options.limits),
       server_(options.server, hub_),
       recorder_(options.recorder) {
+  if (!options_.map.empty()) ground_map_ = GroundMap::load(options_.map);
   if (options_.replay) {
     source_ = std::make_unique<Replay>(*options_.replay, outlet());
   } else {
@@ -162,22 +170,51 @@ void Station::set_up_server() {
   if (commander_) server_.every(kCommandPeriod_s, [this] { commander_->tick(steady_s()); });
 }
 
-void Station::update_interest() {
+std::set<std::uint32_t> Station::interest() const {
   auto wanted = hub_.wanted();
   wanted.merge(recorder_.wanted());
-  source_->want(std::move(wanted));
+  return wanted;
+}
+
+void Station::update_interest() {
+  source_->want(interest());
 }
 
 void Station::answer(const Request& request, const Respond& respond) {
   if (api_->handle(request, respond, steady_s())) return;
   if (request.method != "GET" && request.method != "HEAD")
     return respond(text_response(405, "GET expected"));
+  if (request.path == "/map.json" || request.path.starts_with("/map/"))
+    return answer_map(request, respond);
+  if (request.path == "/") expect_page();
   auto response = serve_file(options_.page, request.path, request.range, false);
   if (response.status == 404 && request.path == "/") {
     response = text_response(200, kNoPage);
     response.type = "text/html; charset=utf-8";
   }
   respond(std::move(response));
+}
+
+// Whoever opens the page waits for a picture of its first vehicle: it is read from now on, while
+// the page still loads. If nobody subscribes, it rests again.
+void Station::expect_page() {
+  std::map<std::string, std::uint32_t> images;
+  for (const auto& [id, channel] : hub_.channels())
+    if (is_ground_picture(channel) && channel.schema_name == kImageSchema)
+      images[channel.topic] = id;
+  if (images.empty()) return;
+  auto wanted = interest();
+  wanted.insert(images.begin()->second);
+  source_->want(std::move(wanted));
+}
+
+// Where the page needs a token, so does what shows where one flies.
+void Station::answer_map(const Request& request, const Respond& respond) {
+  if (const auto why = api_->refusal_to_read(request); !why.empty())
+    return respond(text_response(401, why));
+  if (ground_map_) return respond(ground_map_->answer(request));
+  const bool asks_whether = request.path == "/map.json";
+  respond(asks_whether ? json_response(200, "null") : text_response(404, "there is no map"));
 }
 
 Status Station::status() {

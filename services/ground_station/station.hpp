@@ -23,6 +23,7 @@ struct StationOptions {
   RecorderOptions recorder;
   std::optional<ReplayOptions> replay;  // instead of the bus
   std::filesystem::path page;           // folder with index.html; need not exist
+  std::filesystem::path map;            // what lies under the page's map; empty: nothing
   std::set<std::string> more_hosts, more_origins;
   std::filesystem::path token_file, audit_file;
   bool enable_control = false;

@@ -14,6 +14,7 @@
 #include "foretrack_msgs/msg/TargetChoice.h"
 #include "foretrack_msgs/msg/TargetObservation.h"
 #include "foretrack_msgs/msg/TargetSearch.h"
+#include "foxglove_msgs/msg/CompressedVideo.h"
 #include "nav_msgs/msg/Path.h"
 #include "octomap_msgs/msg/Octomap.h"
 #include "px4_msgs/msg/BatteryStatus.h"

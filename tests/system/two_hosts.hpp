@@ -29,10 +29,10 @@ class TwoHostsNetwork {
     std::ofstream(fresh) << share;
     std::filesystem::rename(fresh, loss_file_);
   }
-  /// Arguments of /usr/bin/env for the program on one of the hosts.
-  std::vector<std::string> on(int host, std::vector<std::string> words) const {
-    words.insert(words.begin(),
-                 {"nsenter", "--net=/proc/" + hosts_[host] + "/ns/net", FORETRACK_PROGRAM});
+  /// Arguments of /usr/bin/env for a program on one of the hosts.
+  std::vector<std::string> on(int host, std::vector<std::string> words,
+                              const char* program = FORETRACK_PROGRAM) const {
+    words.insert(words.begin(), {"nsenter", "--net=/proc/" + hosts_[host] + "/ns/net", program});
     return words;
   }
 

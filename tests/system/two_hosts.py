@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""two_hosts.py LOSS_FILE [--no-multicast]: two hosts on one machine, and a network between them that
+"""two_hosts.py LOSS_FILE [--no-multicast] [--mtu BYTES]: two hosts on one machine, and a network between them that
 loses packets, and with --no-multicast all that are not for one host.
 
 Each host is a network namespace of its own, so that nothing reaches the other by shared memory or
@@ -21,7 +21,7 @@ import time
 
 TUNSETIFF, IFF_TUN, IFF_NO_PI = 0x400454CA, 0x0001, 0x1000
 CLONE_NEWNET, PR_SET_PDEATHSIG = 0x40000000, 1
-MTU = 65535  # a datagram is lost as a whole, not by its pieces
+MTU = 65535  # unless it is given: a datagram is lost as a whole, not by its pieces
 READ_AGAIN_S = 0.2
 
 
@@ -43,14 +43,14 @@ def on_host(pid, *command):
     subprocess.run(["nsenter", f"--net=/proc/{pid}/ns/net", *command], check=True)
 
 
-def connect(pid, name, address):
+def connect(pid, name, address, mtu):
     """The host's network device; what it sends is read from the returned file."""
     device = os.open("/dev/net/tun", os.O_RDWR | os.O_NONBLOCK)
     fcntl.ioctl(device, TUNSETIFF, struct.pack("16sH", name.encode(), IFF_TUN | IFF_NO_PI))
     subprocess.run(["ip", "link", "set", name, "netns", str(pid)], check=True)
     on_host(pid, "ip", "link", "set", "lo", "up")
     on_host(pid, "ip", "addr", "add", f"{address}/24", "dev", name)
-    on_host(pid, "ip", "link", "set", name, "mtu", str(MTU), "multicast", "on", "up")
+    on_host(pid, "ip", "link", "set", name, "mtu", str(mtu), "multicast", "on", "up")
     on_host(pid, "ip", "route", "add", "224.0.0.0/4", "dev", name)
     return device
 
@@ -78,7 +78,8 @@ def main():
     random.seed(1)
     hosts = [start_host(), start_host()]
     names = [f"ft{os.getpid()}{side}" for side in "ab"]
-    devices = [connect(pid, names[i], f"198.18.78.{i + 1}") for i, pid in enumerate(hosts)]
+    mtu = int(sys.argv[sys.argv.index("--mtu") + 1]) if "--mtu" in sys.argv else MTU
+    devices = [connect(pid, names[i], f"198.18.78.{i + 1}", mtu) for i, pid in enumerate(hosts)]
     print("ready", *hosts, flush=True)
     loss, read_s = 0.0, -1e9
     no_multicast = "--no-multicast" in sys.argv

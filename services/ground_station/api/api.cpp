@@ -18,6 +18,8 @@ constexpr double kRequests_s = 20.0;
 constexpr std::size_t kMaxName = 32;
 constexpr std::string_view kRecordings = "/recordings/";
 constexpr std::string_view kReports = "/reports/";
+constexpr std::string_view kClips = "/clips/";
+constexpr std::string_view kFolders[] = {kRecordings, kReports, kClips};
 
 Response outcome_response(int status, const Outcome& outcome) {
   const Json said{{"ok", outcome.ok}, {"reason", outcome.reason}, {"answered", outcome.answered}};
@@ -50,10 +52,10 @@ std::string list_recordings(const fs::path& folder) {
 }
 
 // /reports/<file>.html → <file>.mcap; empty: the path names none.
-std::string reported_file(std::string_view path) {
-  constexpr std::string_view kEnd = ".html";
-  if (!path.starts_with(kReports) || !path.ends_with(kEnd)) return {};
-  const auto name = path.substr(kReports.size(), path.size() - kReports.size() - kEnd.size());
+std::string recording_of(std::string_view path, std::string_view folder, std::string_view end) {
+  if (!path.starts_with(folder) || !path.ends_with(end)) return {};
+  if (path.size() < folder.size() + end.size()) return {};
+  const auto name = path.substr(folder.size(), path.size() - folder.size() - end.size());
   const bool leads_out = name.empty() || name.find('/') != name.npos || name.starts_with('.');
   return leads_out ? "" : std::string(name) + ".mcap";
 }
@@ -69,14 +71,14 @@ struct Api::Order {
 };
 
 Api::Api(const ApiOptions& options, const Tokens& tokens, Audit& audit, Commander* commander,
-         Recorder& recorder, std::function<std::string()> status, ReportMaker::Post post)
+         Recorder& recorder, std::function<std::string()> status, FileMaker::Post post)
     : options_(options),
       tokens_(tokens),
       audit_(audit),
       commander_(commander),
       recorder_(recorder),
       status_(std::move(status)),
-      reports_(std::move(post)),
+      files_(std::move(post)),
       allowance_(kRequests_s) {}
 
 std::string Api::refusal_to_read(const Request& request) const {
@@ -86,8 +88,9 @@ std::string Api::refusal_to_read(const Request& request) const {
 
 bool Api::handle(const Request& request, const Respond& respond, double now_s) {
   const bool is_api = request.path.starts_with("/api/");
-  if (!is_api && !request.path.starts_with(kRecordings) && !request.path.starts_with(kReports))
-    return false;
+  const bool is_file = std::any_of(std::begin(kFolders), std::end(kFolders),
+                                   [&](auto folder) { return request.path.starts_with(folder); });
+  if (!is_api && !is_file) return false;
   if (const auto why = refusal_to_read(request); !why.empty()) {
     audit_.note({{"event", "refused"}, {"remote", request.remote}, {"path", request.path}});
     respond(outcome_response(401, {false, why}));
@@ -108,8 +111,14 @@ void Api::get(const Request& request, const Respond& respond) {
   if (request.path.starts_with(kRecordings) && request.path.ends_with(".mcap"))
     return respond(serve_file(options_.recordings, request.path.substr(kRecordings.size() - 1),
                               request.range, false));
-  if (const auto file = reported_file(request.path); !file.empty())
-    return reports_.make(options_.recordings / file, respond);
+  if (const auto file = recording_of(request.path, kReports, ".html"); !file.empty())
+    return files_.make(options_.recordings / file, report_of, respond);
+  if (const auto file = recording_of(request.path, kClips, ".webm"); !file.empty()) {
+    const auto clip = [query = request.query](const fs::path& recording) {
+      return clip_of(recording, query);
+    };
+    return files_.make(options_.recordings / file, clip, respond);
+  }
   respond(outcome_response(404, {false, "there is no such thing"}));
 }
 

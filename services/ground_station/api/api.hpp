@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requests under /api/, /recordings/ and /reports/, and who may make them.
+// The requests under /api/, /recordings/, /reports/ and /clips/, and who may make them.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
 
+#include "services/ground_station/api/file_maker.hpp"
 #include "services/ground_station/control/audit.hpp"
 #include "services/ground_station/control/commander.hpp"
 #include "services/ground_station/control/tokens.hpp"
 #include "services/ground_station/http/message.hpp"
 #include "services/ground_station/recording/recorder.hpp"
-#include "services/ground_station/report/report_maker.hpp"
 
 namespace foretrack::station {
 
@@ -25,7 +25,7 @@ struct ApiOptions {
 class Api {
  public:
   Api(const ApiOptions& options, const Tokens& tokens, Audit& audit, Commander* commander,
-      Recorder& recorder, std::function<std::string()> status, ReportMaker::Post post);
+      Recorder& recorder, std::function<std::string()> status, FileMaker::Post post);
 
   /// Whether the path is of the API; then it answers, now or when a vehicle has.
   bool handle(const Request& request, const Respond& respond, double now_s);
@@ -50,7 +50,7 @@ class Api {
   Commander* commander_;
   Recorder& recorder_;
   std::function<std::string()> status_;
-  ReportMaker reports_;
+  FileMaker files_;
   double allowance_ = 0.0;  // requests
   double asked_s_ = 0.0;
 };

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "services/common/topics.hpp"
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/schemas/schemas.hpp"
 
@@ -41,6 +42,13 @@ Channel channel_of(const std::string& wire, const SurveyedTopic& found, std::uin
   return c;
 }
 
+// Vehicles encode pictures while somebody reads them, and send them over their link.
+bool is_made_when_read(const std::string& wire) {
+  const ContractTopic* topic = contract_of(wire);
+  return topic && (topic->name == topics::GroundImage::info.name ||
+                   topic->name == topics::GroundVideo::info.name);
+}
+
 std::vector<std::string> names_of(const std::set<PeerId>& peers,
                                   const std::map<PeerId, std::string>& names) {
   std::vector<std::string> result;
@@ -70,6 +78,7 @@ Bus::~Bus() {
 void Bus::want(std::set<std::uint32_t> channels) {
   const std::lock_guard lock(mutex_);
   wanted_ = std::move(channels);
+  look_soon_ = true;  // whoever begins to read waits for it
 }
 
 void Bus::expect_own(const std::string& wire) {
@@ -144,8 +153,8 @@ void Bus::update(const std::string& name, Topic& topic, double now_s) {
   } else if (now_s - topic.alone_s > kLinger_s) {
     close(topic);
   }
-  if (topic.reader && !wanted && topic.bytes_s > kRestBytes_s &&
-      now_s - topic.opened_s > kRestAfter_s) {
+  const bool rests_unread = topic.bytes_s > kRestBytes_s || is_made_when_read(name);
+  if (topic.reader && !wanted && rests_unread && now_s - topic.opened_s > kRestAfter_s) {
     stop_reading(topic);
     hearing_.reset();  // of somebody it may be all that was heard
     topic.resting = true;
@@ -274,7 +283,7 @@ void Bus::run(Stop& stop) {
   double next_look_s = 0.0;
   while (!stop.requested()) {
     const double now_s = node_->clock().steady_s();
-    if (now_s >= next_look_s) {
+    if (now_s >= next_look_s || look_soon_.exchange(false)) {
       heal(now_s);
       look(now_s);
       publish(now_s);

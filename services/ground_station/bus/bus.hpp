@@ -2,6 +2,7 @@
 // The DDS side: follows discovery, reads every topic as bytes, counts what comes.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -20,9 +21,10 @@
 namespace foretrack::station {
 
 /// A channel opens when a topic has a writer and closes 10 s after its last writer left, so that a
-/// service that restarts keeps its channel. A topic of more than 1 MB/s that nobody wants rests.
-/// The bus is joined anew, with a participant that nobody knows, in two cases: a peer lives but is
-/// no longer heard, or the process stood still for so long that peers may have dropped it. Channels
+/// service that restarts keeps its channel. A topic of more than 1 MB/s that nobody wants rests,
+/// and so do the pictures for the ground, which vehicles encode only while they are read. The bus
+/// is joined anew, with a participant that nobody knows, in two cases: a peer lives but is no
+/// longer heard, or the process stood still for so long that peers may have dropped it. Channels
 /// stay.
 class Bus : public Source {
  public:
@@ -83,6 +85,8 @@ class Bus : public Source {
   double round_s_ = -1.0;       // of the last round, by the clock that goes on in standby
   double stood_still_s_ = 0.0;  // for which nothing was done yet
   double rejoined_s_ = -1e9;
+
+  std::atomic<bool> look_soon_ = false;
 
   mutable std::mutex mutex_;  // guards what follows
   std::set<std::uint32_t> wanted_;

@@ -27,10 +27,18 @@ struct Channel {
   bool latched = false;  // a late subscriber gets the last sample
 };
 
+/// Whether a sample can be read without those before it.
+enum class Chain : std::uint8_t {
+  kAlone,
+  kKey,            // of a video: what follows needs it
+  kNeedsPrevious,  // of a video: all back to the last key
+};
+
 struct Sample {
   std::uint32_t channel = 0;
   std::int64_t log_time_ns = 0;  // since 1970, when it came here
   std::shared_ptr<const Bytes> data;
+  Chain chain = Chain::kAlone;
 };
 
 /// What a source of samples tells, in its own thread. A closed channel may open again.

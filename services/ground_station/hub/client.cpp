@@ -78,7 +78,7 @@ void Client::subscribe(const foxglove::Subscribe& wanted, double now_s) {
     } else {
       by_channel_[channel] = id;
       by_subscription_[id] = channel;
-      if (const auto& last = hub_.flows_[channel].latched) offer(*last, now_s);
+      for (const auto& sample : hub_.kept(it->second, now_s)) offer(sample, now_s);
     }
   }
   flush();

@@ -3,10 +3,15 @@
 
 #include <algorithm>
 
+#include "services/ground_station/hub/video_chain.hpp"
+
 namespace foretrack::station {
 namespace {
 
 constexpr double kLimitShown_s = 2.0;
+constexpr double kPictureOld_s = 1.0;
+constexpr std::size_t kMostKept = 90;  // three seconds of a video
+constexpr std::size_t kMostKeptBytes = 4u << 20;
 
 }  // namespace
 
@@ -52,14 +57,35 @@ bool Hub::within_limit(Flow& flow, std::size_t bytes, double now_s) const {
   return true;
 }
 
+// A video from its last key picture on. One whose keys are too far apart is not kept.
+void Hub::keep(Flow& flow, const Channel& channel, const Sample& sample, double now_s) {
+  if (!channel.latched && !is_ground_picture(channel)) return;
+  if (sample.chain != Chain::kNeedsPrevious) flow.kept.clear(), flow.kept_bytes = 0;
+  if (sample.chain == Chain::kNeedsPrevious && flow.kept.empty()) return;
+  flow.kept.push_back(sample);
+  flow.kept_bytes += sample.data->size();
+  flow.kept_s = now_s;
+  if (flow.kept.size() > kMostKept || flow.kept_bytes > kMostKeptBytes) flow.kept.clear();
+}
+
+// A picture that is old says nothing of now.
+std::span<const Sample> Hub::kept(const Channel& channel, double now_s) const {
+  const auto it = flows_.find(channel.id);
+  if (it == flows_.end()) return {};
+  if (!channel.latched && now_s - it->second.kept_s > kPictureOld_s) return {};
+  return it->second.kept;
+}
+
 void Hub::deliver(const std::vector<Sample>& samples, double now_s) {
   for (const auto& sample : samples) {
     const auto channel = channels_.find(sample.channel);
     if (channel == channels_.end()) continue;
     auto& flow = flows_[sample.channel];
-    if (channel->second.latched) flow.latched = std::make_shared<const Sample>(sample);
+    auto chained = sample;
+    chained.chain = chain_of(channel->second, *sample.data);
+    keep(flow, channel->second, chained, now_s);
     if (!within_limit(flow, sample.data->size(), now_s)) continue;
-    for (const auto& [id, client] : clients_) client->offer(sample, now_s);
+    for (const auto& [id, client] : clients_) client->offer(chained, now_s);
   }
   for (const auto& [id, client] : clients_) client->flush();
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,13 @@ class Hub {
   struct Flow {
     double allowance_bytes = 0.0;
     double last_s = -1.0;
-    double limited_s = -1e9;  // when a sample was last left out
-    std::shared_ptr<const Sample> latched;
+    double limited_s = -1e9;   // when a sample was last left out
+    std::vector<Sample> kept;  // for who subscribes late: the last one that stands alone
+    std::size_t kept_bytes = 0;
+    double kept_s = -1e9;
   };
+  static void keep(Flow& flow, const Channel& channel, const Sample& sample, double now_s);
+  std::span<const Sample> kept(const Channel& channel, double now_s) const;
   bool within_limit(Flow& flow, std::size_t bytes, double now_s) const;
 
   std::string name_, version_, session_id_;

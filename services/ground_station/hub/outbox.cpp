@@ -5,15 +5,26 @@
 
 namespace foretrack::station {
 
-void Outbox::drop_oldest(Lane& lane) {
+void Outbox::drop_front(Lane& lane) {
   bytes_ -= lane.queue.front().frame.bytes();
   lane.queue.pop_front();
   ++dropped_;
 }
 
+// What needs it goes with it.
+void Outbox::drop_oldest(Lane& lane) {
+  const bool is_video = lane.queue.front().chain != Chain::kAlone;
+  drop_front(lane);
+  while (!lane.queue.empty() && lane.queue.front().chain == Chain::kNeedsPrevious) drop_front(lane);
+  lane.broken = is_video && lane.queue.empty();
+}
+
 void Outbox::drop_superseded(Lane& lane, double now_s) {
-  while (lane.queue.size() > 1 && now_s - lane.queue.front().since_s > limits_.stale_s)
-    drop_oldest(lane);
+  const auto is_stale = [&](const Waiting& oldest) {
+    const bool is_video = oldest.chain != Chain::kAlone;
+    return now_s - oldest.since_s > (is_video ? limits_.video_stale_s : limits_.stale_s);
+  };
+  while (lane.queue.size() > 1 && is_stale(lane.queue.front())) drop_oldest(lane);
 }
 
 void Outbox::make_room(std::size_t bytes) {
@@ -40,14 +51,16 @@ void Outbox::push_sample(std::uint32_t subscription, const Sample& sample, doubl
   drop_superseded(lane, now_s);
   Frame frame{nullptr, foxglove::message_header(subscription, sample.log_time_ns), sample.data};
   make_room(frame.bytes());
-  if (bytes_ + frame.bytes() > limits_.budget_bytes) {
+  if (sample.chain != Chain::kNeedsPrevious) lane.broken = false;
+  if (lane.broken || bytes_ + frame.bytes() > limits_.budget_bytes) {
     ++dropped_;
+    lane.broken = sample.chain != Chain::kAlone;
     return;
   }
   // Who was silent has not saved up: it is served as if it had kept pace.
   if (lane.queue.empty()) lane.spent_bytes = std::max(lane.spent_bytes, served_bytes_);
   bytes_ += frame.bytes();
-  lane.queue.push_back({std::move(frame), now_s});
+  lane.queue.push_back({std::move(frame), now_s, sample.chain});
 }
 
 void Outbox::rest_after_long_write(double now_s) {

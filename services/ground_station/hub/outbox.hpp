@@ -27,13 +27,15 @@ struct Frame {
 
 struct OutboxLimits {
   std::size_t budget_bytes = 8u << 20;
-  double stale_s = 0.15;  // a sample that waited so long gives way to a newer one of its topic
-  double long_s = 0.25;   // a sample that took so long to send makes its topic rest
-  double rest = 2.0;      // for so many times as long
+  double stale_s = 0.15;       // a sample that waited so long gives way to a newer one of its topic
+  double video_stale_s = 0.6;  // of a video, which then is shown no more until its next key
+  double long_s = 0.25;        // a sample that took so long to send makes its topic rest
+  double rest = 2.0;           // for so many times as long
 };
 
 /// A fast client gets everything. For a slow one, old samples give way to newer ones of the same
-/// topic, so that what it sees stays live; the budget drops the oldest. Topics share a slow link by
+/// topic, so that what it sees stays live; the budget drops the oldest. Of a video that lost a
+/// picture nothing goes out until its next key. Topics share a slow link by
 /// bytes (fair queueing). A topic whose sample took long to send, such as a map, then rests for
 /// longer than that: small and frequent topics go on meanwhile. Texts go first and are never
 /// dropped: when they alone exceed the budget, the client is too slow to be served.
@@ -57,12 +59,15 @@ class Outbox {
   struct Waiting {
     Frame frame;
     double since_s = 0.0;
+    Chain chain = Chain::kAlone;
   };
   struct Lane {  // of a subscription
     std::deque<Waiting> queue;
     std::uint64_t spent_bytes = 0;  // of the link, since it began to wait
     double rests_until_s = 0.0;
+    bool broken = false;  // a video without its next key
   };
+  void drop_front(Lane& lane);
   void make_room(std::size_t bytes);
   void drop_oldest(Lane& lane);
   void drop_superseded(Lane& lane, double now_s);

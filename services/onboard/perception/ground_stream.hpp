@@ -6,6 +6,7 @@
 
 #include "core/common/image.hpp"
 #include "core/perception/stream_pace.hpp"
+#include "foxglove_msgs/msg/CompressedVideo.h"
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/CompressedImage.h"
 #include "services/common/service.hpp"
@@ -13,9 +14,17 @@
 
 namespace foretrack {
 
-/// Writes camera/ground/image/compressed, and the camera_info that belongs to its size, both with
-/// the image's stamp and frame. Its topics are there once there are images; nothing is encoded
-/// while nobody reads them. The loop copies a picture and writes what is done: it never waits.
+/// Of the bandwidth, what each has that is read; `enabled` says whether it is. Of two the video has
+/// the smaller part, as it needs less for the same picture.
+struct StreamShares {
+  StreamParams image, video;
+};
+StreamShares share_bandwidth(const StreamParams& params, bool image_is_read, bool video_is_read);
+
+/// Writes camera/ground/image/compressed and, where it is built with an encoder,
+/// camera/ground/video, and the camera_info that belongs to their size, all with the image's stamp
+/// and frame. Its topics are there once there are images; neither is encoded while nobody reads it.
+/// They share the bandwidth. The loop copies a picture and writes what is done: it never waits.
 class GroundStream {
  public:
   GroundStream(Service& service, const StreamParams& params);
@@ -31,15 +40,21 @@ class GroundStream {
  private:
   /// With the first image.
   struct Output {
-    explicit Output(Node& node) : image(node), info(node) {}
+    explicit Output(Node& node);
     Writer<topics::GroundImage> image;
+    std::optional<Writer<topics::GroundVideo>> video;  // none: without an encoder
     Writer<topics::GroundCameraInfo> info;
     PictureEncoder encoder;
   };
+  /// What the picture shall be now; nothing: not wanted, or not due.
+  PictureLabel label_at(double stamp_s, const std::string& frame_id);
+  void write_image();
+  void write_video();
 
   Service& service_;
   StreamParams params_;
-  StreamPace pace_;
+  StreamPace image_pace_, video_pace_;
+  StreamShares shares_;
   sensor_msgs::msg::CameraInfo info_;  // of the full images
   std::optional<Output> output_;
   EncodedPicture picture_;

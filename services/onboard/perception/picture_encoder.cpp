@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/onboard/perception/picture_encoder.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <utility>
 
 #include "core/perception/shrink_image.hpp"
 #include "services/convert/encode_jpeg.hpp"
 
 namespace foretrack {
+namespace {
+
+constexpr int kNice = 10;  // where both want the processor, the loop goes first
+
+}  // namespace
 
 PictureEncoder::PictureEncoder() : thread_([this] { run(); }) {}
 
@@ -30,33 +38,44 @@ void PictureEncoder::give(const RgbImage& image, const PictureLabel& label) {
 }
 
 bool PictureEncoder::take(EncodedPicture& out) {
-  const std::lock_guard lock(mutex_);
-  if (!std::exchange(has_done_, false)) return false;
-  std::swap(out, done_);
+  {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(has_done_, false)) return false;
+    std::swap(out, done_);
+  }
+  changed_.notify_one();
   return true;
 }
 
 void PictureEncoder::run() {
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);  // of this thread alone
   Picture picture;
-  RgbImage shrunk;
   EncodedPicture encoded;
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return has_waiting_ || ends_; });
+    changed_.wait(lock, [this] { return (has_waiting_ && !has_done_) || ends_; });
     if (ends_) return;
     std::swap(picture, waits_);
     has_waiting_ = false;
     lock.unlock();
-    shrink(picture.image, picture.label.width_px, shrunk);
-    encode_jpeg(shrunk, picture.label.quality, encoded.jpeg);
-    encoded.label = picture.label;
-    encoded.width_px = shrunk.width_px;
-    encoded.height_px = shrunk.height_px;
+    encode(picture, encoded);
     lock.lock();
-    if (encoded.jpeg.empty()) continue;
+    if (encoded.jpeg.empty() && encoded.video.empty()) continue;
     std::swap(encoded, done_);
     has_done_ = true;
   }
+}
+
+void PictureEncoder::encode(const Picture& picture, EncodedPicture& out) {
+  const PictureLabel& label = picture.label;
+  shrink(picture.image, label.width_px, shrunk_);
+  out.label = label;
+  out.width_px = shrunk_.width_px;
+  out.height_px = shrunk_.height_px;
+  out.jpeg.clear();
+  out.video.clear();
+  if (label.jpeg_quality) encode_jpeg(shrunk_, *label.jpeg_quality, out.jpeg);
+  if (label.video) video_.encode(shrunk_, *label.video, out.video);
 }
 
 }  // namespace foretrack

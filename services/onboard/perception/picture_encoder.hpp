@@ -5,11 +5,13 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/common/image.hpp"
+#include "services/convert/encode_h264.hpp"
 
 namespace foretrack {
 
@@ -18,18 +20,21 @@ struct PictureLabel {
   double stamp_s = 0.0;
   std::string frame_id;
   int width_px = 0;
-  int quality = 0;
+  std::optional<int> jpeg_quality = {};  ///< none: not as JPEG
+  std::optional<VideoWish> video = {};   ///< none: not as a picture of the video
 };
 
 struct EncodedPicture {
   PictureLabel label;
   int width_px = 0;  ///< that it came to
   int height_px = 0;
-  std::vector<std::uint8_t> jpeg;
+  std::vector<std::uint8_t> jpeg;   ///< empty: was not asked for, or cannot be
+  std::vector<std::uint8_t> video;  ///< the same
 };
 
-/// One picture waits to be encoded, and one to be taken; a newer one takes the place of either. The
-/// caller never waits for the encoder. Buffers are used again and again.
+/// One picture waits to be encoded; a newer one takes its place. Once it is encoded it waits to be
+/// taken, and none else is begun before: a video lacks none of its pictures. The caller never waits
+/// for the encoder. Buffers are used again and again.
 class PictureEncoder {
  public:
   PictureEncoder();
@@ -39,7 +44,7 @@ class PictureEncoder {
 
   /// Copies the image.
   void give(const RgbImage& image, const PictureLabel& label);
-  /// The newest that is done and was not taken yet, into `out`; false: there is none.
+  /// What is done and was not taken yet, into `out`; false: there is none.
   bool take(EncodedPicture& out);
 
  private:
@@ -48,8 +53,11 @@ class PictureEncoder {
     PictureLabel label;
   };
   void run();
+  void encode(const Picture& picture, EncodedPicture& out);
 
-  std::mutex mutex_;  // guards what follows, but for the thread
+  RgbImage shrunk_;    // the thread's own
+  H264Encoder video_;  // likewise
+  std::mutex mutex_;   // guards what follows, but for the thread
   std::condition_variable changed_;
   Picture waits_;
   EncodedPicture done_;

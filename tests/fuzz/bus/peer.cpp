@@ -13,6 +13,7 @@
 #include "foretrack_msgs/msg/MissionCommand.h"
 #include "foretrack_msgs/msg/SafetyState.h"
 #include "foretrack_msgs/msg/TargetState.h"
+#include "foxglove_msgs/msg/CompressedVideo.h"
 #include "nav_msgs/msg/Odometry.h"
 #include "octomap_msgs/msg/Octomap.h"
 #include "sensor_msgs/msg/Image.h"

@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "foxglove_msgs/msg/CompressedVideo.h"
 #include "nav_msgs/msg/Odometry.h"
 #include "services/common/topics.hpp"
 #include "services/common/writer.hpp"
@@ -91,6 +92,21 @@ TEST_F(BusOnDds, PassesOnTheBytesOfEveryVehicleThatJoins) {
     EXPECT_EQ(read.pose().pose().position().x(), 12.5);
   }
   EXPECT_TRUE(until([&] { return bus_.vehicles().size() == 2; }, [] {}));
+}
+
+TEST_F(BusOnDds, ReadsPicturesForTheGroundOnlyWhileSomebodyWantsThem) {
+  Node vehicle(options(domain_, "uav1"));
+  Writer<topics::GroundVideo> video(vehicle);
+  Writer<topics::Odometry> odometry(vehicle);
+  const auto write = [&] { return video.write() && odometry.write(); };
+  const std::string topic = "/uav1/camera/ground/video";
+  ASSERT_TRUE(until([&] { return last(topic) && last("/uav1/odometry"); }, write));
+  ASSERT_TRUE(until([&] { return video.readers() == 0; }, write)) << "nobody wants it";
+  EXPECT_EQ(odometry.readers(), 1);
+  ASSERT_TRUE(channel(topic)) << "it is still offered";
+  bus_.want({channel(topic)->id});
+  samples_.clear();
+  ASSERT_TRUE(until([&] { return last(topic) && video.readers() == 1; }, write));
 }
 
 TEST_F(BusOnDds, PassesOnTypesThatNobodyKnowsAndLatchedOnesToLateComers) {

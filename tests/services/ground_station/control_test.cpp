@@ -85,8 +85,9 @@ struct Desk {
     return response;
   }
   /// The answer to what is made in another thread.
-  Response ask_and_wait(const std::string& path) {
+  Response ask_and_wait(const std::string& path, const std::string& query = {}) {
     Request request;
+    request.query = query;
     request.method = "GET";
     request.path = path;
     std::optional<Response> response;
@@ -125,6 +126,10 @@ TEST(Api, TellsWhatARecordingHoldsAndNothingFromElsewhere) {
   EXPECT_EQ(desk.ask_and_wait("/reports/../secret.html").status, 404);
   EXPECT_EQ(desk.ask_and_wait("/reports/.html").status, 404);
   EXPECT_EQ(Desk(true).ask("GET", "/reports/torn.html").status, 401);
+  EXPECT_EQ(desk.ask_and_wait("/clips/torn.webm").status, 422);
+  EXPECT_EQ(desk.ask_and_wait("/clips/none.webm").status, 404);
+  EXPECT_EQ(desk.ask_and_wait("/clips/../secret.webm").status, 404);
+  EXPECT_EQ(Desk(true).ask("GET", "/clips/torn.webm").status, 401);
   // With a good recording.
   EXPECT_EQ(desk.recorder.start(), "");
   Channel channel;
@@ -139,6 +144,10 @@ TEST(Api, TellsWhatARecordingHoldsAndNothingFromElsewhere) {
   EXPECT_EQ(page.status, 200);
   EXPECT_EQ(page.type, "text/html; charset=utf-8");
   EXPECT_NE(page.body.find("No vehicle is in this recording."), std::string::npos);
+  const std::string clip = "/clips/" + file.substr(0, file.size() - 5) + ".webm";
+  EXPECT_EQ(desk.ask_and_wait(clip).body, "there are no pictures in it\n");
+  EXPECT_EQ(desk.ask_and_wait(clip, "from_s=now").body,
+            "'from_s' is 'now': seconds from the recording's beginning expected\n");
 }
 
 TEST(Api, OrdersNeedAValidToken) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// scene.mjs [VEHICLES [SECONDS]]: frames a second of the page's scene on a made-up flight, in a
+// scene.mjs [VEHICLES [SECONDS [video]]]: frames a second of the page's scene on a made-up flight, in a
 // browser without a graphics card; draw calls, what a frame costs the page's own script and each
 // process, how much of the machine others took, and how long one picture takes to draw at several
 // ratios of pixels. JSON.
@@ -56,12 +56,16 @@ function raster() {
 
 const counts = () => ({ ...document.querySelector("[data-first]")?.dataset });
 
-const [vehicles = 8, seconds = 15] = process.argv.slice(2).map(Number);
-const station = await startStandIn({ vehicles });
+const [vehicles = 8, seconds = 15] = process.argv.slice(2, 4).map(Number);
+const video = process.argv[4] === "video"; // the picture beside it
+const station = await startStandIn({ vehicles, video });
 const page = await openBare(station.url, process.env["PHONE"] ? { width: 390, height: 844 } : {});
 let first_ms;
 while ((first_ms = (await page.evaluate(counts)).first) === undefined) await wait(50);
+if (video) await page.evaluate(() => void (window.foretrack.video.wanted = true));
 await wait(5000);
+const picture = () => ({ ...document.querySelector(".camview .frame")?.dataset });
+const pictured = await page.evaluate(picture);
 const samples = [];
 const [before, all_before] = [processor(), machine()];
 for (let i = 0; i < seconds; i++) {
@@ -83,7 +87,8 @@ const cpu_ms_a_frame = Object.fromEntries(Object.keys(after).map((kind) =>
 console.log(JSON.stringify({ vehicles, first_picture_ms: Number(first_ms), fps: middle("fps"),
   fps_all: samples.map((s) => Number(s.fps)), calls: middle("calls"),
   triangles: middle("triangles"), script_ms: middle("script"), busy_ms: middle("busy"),
-  ratio: middle("ratio"), cpu_ms_a_frame, cores_of_others: Number((others / seconds).toFixed(2)),
+  ratio: middle("ratio"), picture: pictured.kind,
+  pictures_s: (Number((await page.evaluate(picture)).pictures) - Number(pictured.pictures)) / seconds, cpu_ms_a_frame, cores_of_others: Number((others / seconds).toFixed(2)),
   raster_ms: await page.evaluate(raster, "worker") }));
 await page.close();
 station.close();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { render } from "preact";
 
-import { Page } from "./ui/page.tsx";
+import { beginsWithPicture, Page } from "./ui/page.tsx";
 import { Session } from "./ui/session.ts";
 import { loadLanguage } from "./ui/words.ts";
 
 const scheme = location.protocol === "https:" ? "wss:" : "ws:";
 const session = new Session(`${scheme}//${location.host}/ws`);
+session.watching = beginsWithPicture();
 
 // A hidden page gets no frames, but must not grow old nor hold what came.
 let drawn_ms = 0;

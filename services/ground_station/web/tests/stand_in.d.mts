@@ -12,9 +12,14 @@ export interface StandIn {
   chosen: Map<string, { state: number; person_id: number }>;
   blind: Set<string>; // vehicles that send no pictures
   painted: number;
+  videoFault: boolean; // what comes of the video cannot be decoded
+  videoed: Map<string, number>;
   behind_s: number; // by which samples are older than now
+  map: Map<string, Uint8Array | string>;
   recordings: Map<string, Uint8Array>;
+  recording: { active: boolean; file: string; bytes: number; seconds: number } | null;
+  clips: string[];
   close(): void;
 }
 export function startStandIn(options?: { port?: number; vehicles?: number; dist?: string;
-  blind?: boolean; behind_s?: number }): Promise<StandIn>;
+  blind?: boolean; behind_s?: number; video?: boolean }): Promise<StandIn>;

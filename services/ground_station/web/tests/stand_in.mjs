@@ -7,9 +7,9 @@ import { extname, join } from "node:path";
 import { WebSocketServer } from "ws";
 
 import { flatIdl } from "./flat_idl.mjs";
-import { diagnosticsOf, encode, freeFraming, missionCommand, samplesAt, schemaNameOf, typeOf,
+import { diagnosticsOf, encode, freeFraming, samplesAt, schemaNameOf, typeOf,
 } from "./synthetic.mjs";
-import { pictureAt } from "./synthetic_camera.mjs";
+import { pictureAt, videoAt } from "./synthetic_camera.mjs";
 
 const kinds = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css",
   ".svg": "image/svg+xml", ".json": "application/json", ".txt": "text/plain" };
@@ -32,12 +32,19 @@ class StandIn {
   bodies = []; // of orders that say more than their name
   chosen = new Map(); // what perception says of who is followed, by vehicle
   painted = 0; // pictures
+  video = false; // is offered as well
+  videoFault = false; // what comes of it cannot be decoded
+  videoed = new Map(); // how many pictures of it were sent, by vehicle
   behind_s = 0; // by which samples are older than now, as those of a recording
+  recording = null; // as the station's status has it
+  clips = []; // requests
+  map = new Map([["map.json", "null"]]); // files of the map, by path
   recordings = new Map(); // bytes by file name
 
   constructor({ port = 0, vehicles = 1, dist = "dist", blind = false,
-    behind_s = 0 } = {}) {
+    behind_s = 0, video = false } = {}) {
     this.behind_s = behind_s;
+    this.video = video;
     this.dist = dist;
     this.names = Array.from({ length: vehicles }, (_, i) => `uav${i + 1}`);
     this.blind = new Set(blind ? this.names : []);
@@ -122,18 +129,36 @@ class StandIn {
             this.send(`/${name}/${topic}`, typeOf(topic),
               encode(typeOf(topic), this.troubled(name, message)));
         if (this.step % 8 === 0 && !this.blind.has(name)) this.sendPicture(name, index);
+        if (this.step % 8 === 4 && this.video) this.sendVideo(name, index);
       });
     }
   }
 
+  isRead(topic, type) {
+    const { id } = this.channel(topic, type);
+    return [...this.clients.values()].some((subscribed) => subscribed.has(id));
+  }
+
   // Painted only where somebody looks: that takes a while.
   sendPicture(name, index) {
-    const channel = this.channel(`/${name}/camera/ground/image/compressed`,
-      "sensor_msgs/CompressedImage");
-    const isRead = [...this.clients.values()].some((subscribed) => subscribed.has(channel.id));
-    if (!isRead) return;
+    const topic = "camera/ground/image/compressed";
+    if (!this.isRead(`/${name}/${topic}`, typeOf(topic))) return;
     this.painted++;
-    for (const [topic, message] of pictureAt(this.step / 100, index))
+    this.sendAll(name, pictureAt(this.step / 100, index));
+  }
+
+  sendVideo(name, index) {
+    const topic = "camera/ground/video";
+    if (!this.isRead(`/${name}/${topic}`, typeOf(topic))) return this.videoed.delete(name);
+    const number = this.videoed.get(name) ?? 0;
+    this.videoed.set(name, number + 1);
+    const samples = videoAt(this.step / 100, index, number);
+    if (this.videoFault) samples[1][1].data.fill(0x55, 40);
+    this.sendAll(name, samples);
+  }
+
+  sendAll(name, samples) {
+    for (const [topic, message] of samples)
       this.send(`/${name}/${topic}`, typeOf(topic), encode(typeOf(topic), message));
   }
 
@@ -151,7 +176,7 @@ class StandIn {
         lease: this.leases.has(name) ? { operator: this.leases.get(name), expires_s: 30 } : null,
         last_command: this.last.get(name) ?? null,
         unconfirmed: this.unconfirmed.get(name) ?? null })),
-      recording: null, clients: [],
+      recording: this.recording, clients: [],
       topics: [...this.channels.values()].map((c) => ({ topic: c.topic, type: c.schemaName,
         vehicle: c.topic.split("/")[1], writers: 1, readers: 2, rate_hz: 25, bytes_s: 9000,
         age_s: 0.1, limited: false, qos_mismatch: this.mismatched.has(c.topic),
@@ -170,7 +195,9 @@ class StandIn {
   async answer(request, response) {
     const path = new URL(request.url, "http://host").pathname;
     if (path.startsWith("/api/")) return this.api(path.slice(5), request, response);
+    if (path.startsWith("/clips/")) return this.clip(request, response);
     if (path.startsWith("/recordings/")) return this.part(path.slice(12), request, response);
+    if (this.map.has(path.slice(1))) return response.writeHead(200).end(this.map.get(path.slice(1)));
     const file = path === "/" ? "index.html" : path.slice(1);
     try {
       const body = readFileSync(join(this.dist, file));
@@ -202,6 +229,11 @@ class StandIn {
     const last = Number(range[1]) + part.length - 1;
     response.writeHead(206, { "Content-Range": `bytes ${range[1]}-${last}/${bytes.length}` });
     response.end(part);
+  }
+
+  clip(request, response) {
+    this.clips.push(request.url);
+    response.writeHead(200, { "Content-Type": "video/webm" }).end("a film");
   }
 
   lease({ vehicle, operator, action, to }) {
@@ -244,14 +276,11 @@ class StandIn {
       order({ command: 11, framing: { ...freeFraming, distance_m: number(more.distance_m),
         height_m: number(more.height_m), bearing_rad: number(more.bearing_rad),
         circling_radps: more.circling_radps } });
-    if (command === "bounds") {
-      const message = missionCommand(this.step / 100, { id: command_id, command: 9, operator_id,
-        fence_m: more.fence_m.flat(), altitude_min_m: number(more.altitude_min_m),
+    if (command === "bounds")
+      order({ command: 9, fence_m: more.fence_m.flat(), altitude_min_m: number(more.altitude_min_m),
         altitude_max_m: number(more.altitude_max_m) });
-      this.send(`/${vehicle}/mission/command`, typeOf("mission/command"),
-        encode(typeOf("mission/command"), message));
-      order({ command: 9 });
-    }
+    if (command === "return_place")
+      order({ command: 12, home_known: true, home_m: [...more.position_m, 0] });
   }
 }
 

@@ -11,6 +11,6 @@ export function vehicleAt(t: number, index?: number):
   { x: number; y: number; z: number; yaw: number; behind: number };
 export function peopleAt(t: number, index?: number):
   { id: number; x: number; y: number; yaw: number; speed: number }[];
-export function missionCommand(t: number, more: object): object;
 export function diagnosticsOf(t: number, name: string, band: [number, number]):
   { status: { values: { key: string; value: string }[] }[] };
+export const origin: { lat_deg: number; lon_deg: number };

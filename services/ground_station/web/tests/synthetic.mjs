@@ -18,6 +18,7 @@ const types = {
   "bodies": "foretrack_msgs/MovingBodies",
   "target/choice": "foretrack_msgs/TargetChoice",
   "camera/ground/image/compressed": "sensor_msgs/CompressedImage",
+  "camera/ground/video": "foxglove_msgs/CompressedVideo",
   "camera/ground/camera_info": "sensor_msgs/CameraInfo",
   "camera/color/camera_info": "sensor_msgs/CameraInfo",
   "mission/command": "foretrack_msgs/MissionCommand",
@@ -26,6 +27,7 @@ const types = {
   "health": "foretrack_msgs/ServiceHealth",
   "map/local": "foretrack_msgs/LocalMap",
   "fmu/out/battery_status": "px4_msgs/BatteryStatus",
+  "fmu/out/vehicle_local_position": "px4_msgs/VehicleLocalPosition",
   "diagnostics": "diagnostic_msgs/DiagnosticArray",
 };
 
@@ -190,13 +192,6 @@ function plan(t, index, id) {
 export const freeFraming =
   { distance_m: NaN, height_m: NaN, bearing_rad: NaN, circling_radps: 0 };
 
-/** As the station passes it on. */
-export function missionCommand(t, more) {
-  return { header: headerOf(t), id: 0n, command: 0, operator_id: "", lease_id: "",
-    proof: new Uint8Array(64), fence_m: [], altitude_min_m: NaN, altitude_max_m: NaN, person_id: 0,
-    framing: freeFraming, ...more };
-}
-
 export function safety(t, more = {}) {
   return { header: headerOf(t), caused_by: stampOf(t - 0.08), mode: 0, reason: 0, text: "",
     phase: 1, request: 0, trajectory_id: 1n, plan_age_s: 0.02, odometry_age_s: 0.01,
@@ -205,7 +200,8 @@ export function safety(t, more = {}) {
     yaw_rate_radps: 0,
     command_id: 0n, command: 0, command_result: 0, operator_id: "", lease_operator: "",
     lease_remaining_s: 0, mission_end: 0, asked: 0, answer: 0, dry_run: false, alarm: "",
-    chosen: false, person_id: 0, framing: freeFraming, ...more };
+    chosen: false, person_id: 0, framing: freeFraming, fence_m: [], altitude_min_m: NaN,
+    altitude_max_m: NaN, home_known: true, home_m: [0, 0, 0], ...more };
 }
 
 export function health(t, service, more = {}) {
@@ -241,6 +237,19 @@ const battery = (t) => ({ timestamp: 0n, connected: true, voltage_v: 15.4, curre
   volt_based_soc_estimate: 1, voltage_prediction: 1, prediction_error: 1,
   estimation_covariance_norm: 1 });
 
+/** Of the made-up world's frame. */
+export const origin = { lat_deg: 52.52, lon_deg: 13.41 };
+const localPosition = { timestamp: 0n, timestamp_sample: 0n, xy_valid: false, z_valid: false,
+  v_xy_valid: false, v_z_valid: false, x: 0, y: 0, z: 0, delta_xy: [0, 0], xy_reset_counter: 0,
+  delta_z: 0, z_reset_counter: 0, vx: 0, vy: 0, vz: 0, z_deriv: 0, delta_vxy: [0, 0],
+  vxy_reset_counter: 0, delta_vz: 0, vz_reset_counter: 0, ax: 0, ay: 0, az: 0, heading: 0,
+  heading_var: 0, unaided_heading: 0, delta_heading: 0, heading_reset_counter: 0,
+  heading_good_for_control: false, tilt_var: 0, xy_global: true, z_global: true, ref_timestamp:
+  1n, ref_lat: origin.lat_deg, ref_lon: origin.lon_deg, ref_alt: 40, dist_bottom_valid: false,
+  dist_bottom: 0, dist_bottom_var: 0, delta_dist_bottom: 0, dist_bottom_reset_counter: 0,
+  dist_bottom_sensor_bitfield: 0, eph: 0, epv: 0, evh: 0, evv: 0, dead_reckoning: false, vxy_max:
+  0, vz_max: 0, hagl_min: 0, hagl_max_z: 0, hagl_max_xy: 0 };
+
 /** What the planner of a vehicle says of itself. */
 export function diagnosticsOf(t, name, [low_m, high_m]) {
   const row = (key, value) => ({ key, value: value.toFixed(6) });
@@ -264,6 +273,8 @@ export function samplesAt(t, step, index, orders = {}, chosen = {}) {
   if (step % 100 === 0)
     for (const service of services) samples.push(["health", health(t, service)]);
   if (step % 200 === 0) samples.push(["map/local", wallMap(t, index)]);
-  if (step % 100 === 50) samples.push(["fmu/out/battery_status", battery(t)]);
+  if (step % 100 === 50)
+    samples.push(["fmu/out/battery_status", battery(t)],
+      ["fmu/out/vehicle_local_position", localPosition]);
   return samples;
 }

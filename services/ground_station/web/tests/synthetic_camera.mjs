@@ -2,7 +2,8 @@
 // What the camera of the made-up flight sees: pictures that are painted from where people are.
 import { deflateSync } from "node:zlib";
 
-import { headerOf, peopleAt, vehicleAt } from "./synthetic.mjs";
+import { headerOf, peopleAt, stampOf, vehicleAt } from "./synthetic.mjs";
+import { keyPicture, repeatedPicture } from "./synthetic_video.mjs";
 
 const full = { width: 640, height: 480, f: 320 };
 const small = { width: 320, height: 240 };
@@ -48,7 +49,7 @@ function chunk(type, data) {
 }
 
 /** Rows of rgb. */
-function png({ width, height }, paint) {
+export function png({ width, height }, paint) {
   const raw = Buffer.alloc((3 * width + 1) * height);
   for (let y = 0; y < height; y++)
     for (let x = 0; x < width; x++) raw.set(paint(x, y), y * (3 * width + 1) + 1 + 3 * x);
@@ -79,6 +80,15 @@ export function pictureAt(t, index) {
   return [["camera/ground/camera_info", cameraInfo(t, small)],
     ["camera/ground/image/compressed", { header: { ...headerOf(t), frame_id }, format: "png",
       data: png(small, paintOf(t, index)) }]];
+}
+
+/** The same as video: number 0 of each dozen is a key picture, and those after it repeat it. */
+export function videoAt(t, index, number) {
+  const paint = paintOf(t, index);
+  const even = (x, y) => paint(x & ~1, y & ~1);
+  const data = number % 12 === 0 ? keyPicture(small, even) : repeatedPicture(small, number % 12);
+  return [["camera/ground/camera_info", cameraInfo(t, small)],
+    ["camera/ground/video", { timestamp: stampOf(t), frame_id, data, format: "h264" }]];
 }
 
 export const colorInfoAt = (t) => ["camera/color/camera_info", cameraInfo(t, full)];

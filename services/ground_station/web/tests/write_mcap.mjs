@@ -4,11 +4,11 @@ import { McapWriter, TempBuffer } from "@mcap/core";
 
 import { flatIdl } from "./flat_idl.mjs";
 import { encode, samplesAt, schemaNameOf, typeOf } from "./synthetic.mjs";
-import { pictureAt } from "./synthetic_camera.mjs";
+import { pictureAt, videoAt } from "./synthetic_camera.mjs";
 
 /** Bytes of an MCAP file; log times are begin_s + the flight's own time from 0 to seconds. */
 export async function syntheticRecording({ begin_s, seconds, vehicles = ["uav1"],
-  pictures = false }) {
+  pictures = false, video = false }) {
   const buffer = new TempBuffer();
   const writer = new McapWriter({ writable: buffer, chunkSize: 200000 });
   await writer.start({ profile: "ros2", library: "test" });
@@ -16,7 +16,8 @@ export async function syntheticRecording({ begin_s, seconds, vehicles = ["uav1"]
   for (let step = 1; step <= 100 * seconds; step++)
     for (const [index, vehicle] of vehicles.entries())
       for (const [name, message] of [...samplesAt(step / 100, step, index),
-        ...(pictures && step % 10 === 0 ? pictureAt(step / 100, index) : [])]) {
+        ...(pictures && step % 10 === 0 ? pictureAt(step / 100, index) : []),
+        ...(video && step % 10 === 5 ? videoAt(step / 100, index, (step - 5) / 10) : [])]) {
         const topic = `/${vehicle}/${name}`;
         if (!channels.has(topic)) channels.set(topic, await register(writer, topic, typeOf(name)));
         const logTime = BigInt(Math.round((begin_s + step / 100) * 1e6)) * 1000n;

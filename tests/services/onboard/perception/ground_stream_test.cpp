@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/perception/shrink_image.hpp"
 #include "services/convert/camera_info.hpp"
 #include "services/convert/compressed_image.hpp"
 #include "services/convert/image.hpp"
 #include "services/onboard/perception/perception_service.hpp"
 #include "tests/services/onboard/neighbours.hpp"
+#include "tests/support/h264_decoder.hpp"
 
 namespace foretrack::testing {
 namespace {
@@ -31,6 +33,18 @@ TEST(ScaleCameraInfoTest, APointIsSeenAtTheSamePartOfTheImage) {
   ASSERT_TRUE(a && b);
   const Vec3 point(0.4, -0.3, 2.0);
   EXPECT_NEAR((*a->camera.project(point) - 4.0 * *b->camera.project(point)).norm(), 0.0, 1e-9);
+}
+
+TEST(ShareBandwidthTest, WhatIsReadAloneHasItAllAndBothHaveNoMoreThanItTogether) {
+  const StreamParams params{.bandwidth_kbit_s = 1000.0};
+  EXPECT_EQ(share_bandwidth(params, true, false).image.bandwidth_kbit_s, 1000.0);
+  EXPECT_EQ(share_bandwidth(params, false, true).video.bandwidth_kbit_s, 1000.0);
+  const auto both = share_bandwidth(params, true, true);
+  EXPECT_DOUBLE_EQ(both.image.bandwidth_kbit_s + both.video.bandwidth_kbit_s, 1000.0);
+  EXPECT_GT(both.image.bandwidth_kbit_s, both.video.bandwidth_kbit_s);
+  EXPECT_TRUE(both.image.enabled && both.video.enabled);
+  EXPECT_FALSE(share_bandwidth(params, true, false).video.enabled);
+  EXPECT_FALSE(share_bandwidth({.enabled = false}, true, true).image.enabled);
 }
 
 class GroundStreamTest : public ::testing::Test {
@@ -89,6 +103,39 @@ TEST_F(GroundStreamTest, PicturesKeepTheirImagesStampAndFrameAndComeAtTheRateTha
   EXPECT_EQ(camera->camera.width_px, 320);
   EXPECT_TRUE(rgb_from_idl(picture_, camera->camera));
 }
+
+#if __has_include(<wels/codec_api.h>)
+TEST_F(GroundStreamTest, TheVideoDecodesToTheImageWithItsStampAndFrame) {
+  Running service([](const ServiceOptions& options, Stop& stop) {
+    run_perception(options, {}, {}, {}, {.width_px = 320, .rate_hz = 30.0}, stop);
+  });
+  for (int row = 0; row < 480; ++row)
+    for (int column = 0; column < 640; ++column)
+      image_.pixel(column, row)[0] = static_cast<std::uint8_t>(column / 3);
+  RgbImage small;
+  shrink(image_, 320, small);
+  Reader<topics::GroundVideo> video(neighbours_.node());
+  H264Decoder viewer;
+  int pictures = 0;
+  double last_s = 0.0;
+  ASSERT_TRUE(neighbours_.until(
+      [&] {
+        video.take_each([&](const foxglove_msgs::msg::CompressedVideo& message) {
+          EXPECT_GT(seconds(message.timestamp()), last_s);
+          last_s = seconds(message.timestamp());
+          EXPECT_EQ(message.frame_id(), "eye");
+          EXPECT_EQ(message.format(), "h264");
+          const auto seen = viewer.decode(message.data());
+          ASSERT_TRUE(seen) << pictures;
+          EXPECT_GT(psnr_db(small, *seen), 35.0);
+          ++pictures;
+        });
+        return pictures >= 20;
+      },
+      [&] { feed(); }));
+  EXPECT_LT(neighbours_.now_s() - last_s, 5.0);
+}
+#endif
 
 TEST_F(GroundStreamTest, NothingIsSentWhereItIsSwitchedOff) {
   Running service([](const ServiceOptions& options, Stop& stop) {

@@ -5,6 +5,7 @@
 
 #include "services/common/time_now.hpp"
 #include "tests/services/common/bus.hpp"
+#include "tests/support/h264_decoder.hpp"
 
 namespace foretrack::testing {
 namespace {
@@ -43,6 +44,38 @@ TEST(PictureEncoderTest, WhoGivesMoreThanCanBeEncodedDoesNotWaitAndTheNewestCome
     encoder.take(out);
     return out.label.stamp_s == 100.0;
   }));
+}
+
+#if __has_include(<wels/codec_api.h>)
+TEST(PictureEncoderTest, EachPictureOfAVideoDecodesAlsoWhereMoreAreGivenThanAreEncoded) {
+  PictureEncoder encoder;
+  H264Decoder viewer;
+  EncodedPicture out;
+  RgbImage image = grey(320, 240);
+  int taken = 0;
+  for (int i = 1; taken < 20; ++i) {
+    ASSERT_LT(i, 1000000);
+    image.rgb[i % image.rgb.size()] = 255;
+    encoder.give(image, {0.01 * i, "camera", 320, {}, VideoWish{0.01 * i, 1000.0, 15.0, 1}});
+    if (i % 50 != 0 || !encoder.take(out)) continue;
+    ++taken;
+    EXPECT_TRUE(viewer.decode(out.video)) << taken;
+  }
+}
+#endif
+
+TEST(PictureEncoderTest, BothKindsOfOnePictureComeAtOnceAndNoneThatWasNotAskedFor) {
+  PictureEncoder encoder;
+  EncodedPicture out;
+  const VideoWish wish{2.0, 1000.0, 15.0, 1};
+  encoder.give(grey(320, 240), {2.0, "camera", 80, 60, wish});
+  ASSERT_TRUE(eventually([&] { return encoder.take(out); }));
+  EXPECT_FALSE(out.jpeg.empty());
+  EXPECT_EQ(out.video.empty(), !has_video_encoder());
+  encoder.give(grey(320, 240), {3.0, "camera", 80, 60});
+  ASSERT_TRUE(eventually([&] { return encoder.take(out); }));
+  EXPECT_FALSE(out.jpeg.empty());
+  EXPECT_TRUE(out.video.empty());
 }
 
 }  // namespace

@@ -37,6 +37,11 @@ export class Decoders {
   private readonly ofSchema = new Map<string, Decoder | null>();
   constructor(private readonly report: (problem: string) => void = () => {}) {}
 
+  /** Whether its schema was read. */
+  knows(channel: Channel): boolean {
+    return this.ofChannel.has(channel);
+  }
+
   decode(channel: Channel, data: Uint8Array): unknown {
     let decoder = this.ofChannel.get(channel);
     if (decoder === undefined) {

@@ -5,7 +5,7 @@ import { type Channel as Announced, FoxgloveClient, type IWebSocket, type Messag
 
 import { SampleQueue } from "./queue.ts";
 import type { Channel, RawSample } from "./sample.ts";
-import { isOnDemand, readingOf, statusTopic } from "./topics.ts";
+import { byName, isOnDemand, partsOf, readingOf, statusTopic } from "./topics.ts";
 
 const protocols = ["foxglove.websocket.v1", "foxglove.sdk.v1"];
 const retry_ms = 1000;
@@ -13,6 +13,7 @@ const jump_s = 5;
 const deaf_s = 6; // the station speaks twice a second; so long without a word: it hangs
 
 export interface LiveEvents {
+  offer(): void; // what can be read is known, and not read yet
   link(open: boolean, reason: string): void;
   problem(text: string): void;
 }
@@ -23,7 +24,7 @@ export class LiveLink {
   private readonly queue = new SampleQueue();
   private readonly subscribed = new Map<number, { channel: Channel; channelId: number }>();
   private readonly offered = new Map<string, Announced>(); // on demand, by topic
-  private wanted = ""; // of those
+  private wanted: readonly string[] = []; // of those
   private quietTicks = 0; // seconds without a word; counted, as a page that stood still is not deaf
   private closed = false;
   private readonly timer: ReturnType<typeof setInterval>;
@@ -45,17 +46,21 @@ export class LiveLink {
     return Date.now() / 1000 + this.ahead_s;
   }
 
-  /** Of the topics that are read on demand, the one that is read from now on; "": none. */
-  want(topic: string): void {
-    if (topic === this.wanted) return;
-    this.wanted = topic;
+  /** Of the topics that are read on demand, those that are read from now on. */
+  want(topics: readonly string[]): void {
+    if (topics.join() === this.wanted.join()) return;
+    this.wanted = topics;
+    const read = new Set<string>();
     for (const [id, { channel }] of this.subscribed) {
-      if (!isOnDemand(channel.topic)) continue;
+      read.add(channel.topic);
+      if (!isOnDemand(channel.topic) || topics.includes(channel.topic)) continue;
       this.client?.unsubscribe(id);
       this.subscribed.delete(id);
     }
-    const offer = this.offered.get(topic);
-    if (offer && this.client) this.subscribe(this.client, offer);
+    for (const topic of topics) {
+      const offer = this.offered.get(topic);
+      if (offer && this.client && !read.has(topic)) this.subscribe(this.client, offer);
+    }
   }
 
   close(): void {
@@ -80,6 +85,8 @@ export class LiveLink {
       if (status.level > 0) this.events.problem(`station: ${status.message}`);
     });
     client.on("advertise", (channels) => {
+      channels.filter((c) => isOnDemand(c.topic)).forEach((c) => this.offered.set(c.topic, c));
+      this.events.offer();
       channels.forEach((c) => this.announce(client, c));
       this.spare(client);
     });
@@ -98,8 +105,9 @@ export class LiveLink {
 
   private announce(client: FoxgloveClient, c: Announced): void {
     if (readingOf(c.topic) === undefined) return;
-    if (isOnDemand(c.topic)) this.offered.set(c.topic, c);
-    if (!isOnDemand(c.topic) || c.topic === this.wanted) this.subscribe(client, c);
+    const isWanted = !isOnDemand(c.topic) || this.wanted.includes(c.topic);
+    const isRead = [...this.subscribed.values()].some((s) => s.channelId === c.id);
+    if (isWanted && !isRead) this.subscribe(client, c);
   }
 
   private subscribe(client: FoxgloveClient, c: Announced): void {
@@ -115,6 +123,11 @@ export class LiveLink {
       if (of.channelId === channelId) this.subscribed.delete(id);
     for (const [topic, { id }] of this.offered)
       if (id === channelId) this.offered.delete(topic);
+  }
+
+  /** Vehicles of which something can be read on demand. */
+  offering(): string[] {
+    return [...this.offered.keys()].map((topic) => partsOf(topic).vehicle).sort(byName);
   }
 
   /** Whether there is such a topic, read or not. */

@@ -125,6 +125,8 @@ export interface FleetDivision {
 }
 
 export interface CompressedImage { header: Header; format: string; data: Uint8Array }
+/** H.264 as Annex B: one whole picture, parameter sets with each key picture. */
+export interface CompressedVideo { timestamp: Time; frame_id: string; data: Uint8Array; format: string }
 export interface CameraInfo {
   header: Header;
   width: number;
@@ -216,6 +218,11 @@ export interface SafetyState {
   chosen?: boolean;
   person_id?: number;
   framing?: TargetFraming;
+  fence_m?: ArrayLike<number>; // x, y of each corner
+  altitude_min_m?: number; // NaN: no bound
+  altitude_max_m?: number;
+  home_known?: boolean;
+  home_m?: Vec3; // where `return` leads
 }
 
 export interface MissionCommand {
@@ -224,11 +231,6 @@ export interface MissionCommand {
   command: number;
   operator_id: string;
   lease_id: string;
-  fence_m?: ArrayLike<number>; // these are missing in older recordings
-  altitude_min_m?: number;
-  altitude_max_m?: number;
-  person_id?: number;
-  framing?: TargetFraming;
 }
 
 export interface ServiceHealth {
@@ -280,6 +282,12 @@ export interface DiagnosticStatus {
 }
 export interface DiagnosticArray { header: Header; status: DiagnosticStatus[] }
 
+export interface VehicleLocalPosition {
+  xy_global: boolean;
+  ref_timestamp: bigint;
+  ref_lat: number;
+  ref_lon: number;
+}
 export interface BatteryStatus {
   connected: boolean;
   voltage_v: number;

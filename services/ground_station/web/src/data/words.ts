@@ -15,9 +15,11 @@ const result = ["none", "accepted", "refused: too late", "refused: repeated",
   "refused: stamped in the future", "refused: no proof that it comes from who has control",
   "refused: it could not be written down", "refused: these are no bounds",
   "acts, and is being written down", "accepted, but a restart would forget it",
-  "refused: nobody of that number is there", "refused: not safe, or no framing"];
+  "refused: nobody of that number is there", "refused: not safe, or no framing",
+  "refused: this place is outside of the fence"];
 const command = ["start", "hold", "resume", "return", "land", "stop", "take control",
-  "give control back", "take off", "set bounds", "follow a person", "set the framing"];
+  "give control back", "take off", "set bounds", "follow a person", "set the framing",
+  "set the return place"];
 const choice = ["nobody is followed yet", "following", "in doubt", "searching", "lost"];
 const trust = ["itself", "believed", "aligned", "not aligned", "a liar"];
 const level = ["ok", "warning", "error", "stale"];
@@ -107,7 +109,6 @@ export const PlanState = { none: 0, fresh: 1, kept: 2, search: 3, hold: 4 } as c
 export const ServiceState = { running: 0, degraded: 1, stopping: 2 } as const;
 /** A lease is renewed by an order every second. */
 export const leaseCommand = 6;
-export const boundsCommand = 9;
 export const Result = { accepted: 1, pending: 10, acceptedUnwritten: 11 } as const;
 export const personKind = 0;
 export const Choice = { waiting: 0, following: 1, doubtful: 2, searching: 3, lost: 4 } as const;

@@ -5,7 +5,7 @@ import { batteryWord, Choice, explainPlan, Mode, PlanState, serviceWord, Service
 } from "../data/words.ts";
 import { age_s, type State, type Vehicle } from "../store/state.ts";
 import { gone_s, silent_s, stale_s } from "../store/watch.ts";
-import { toldBy } from "../store/derive.ts";
+import { boundsOf, homeOf, toldBy } from "../store/derive.ts";
 import { said, t } from "../ui/words.ts";
 
 /** red: it must not fly so. note: worth knowing. */
@@ -113,11 +113,16 @@ function checkDryRun({ latest }: Vehicle): Check[] {
     ? [note(t("dry run: nothing is sent to the autopilot"))] : [];
 }
 
-function checkBounds({ bounds }: Vehicle): Check {
-  if (!bounds) return note(t("fence: not known since this page was opened"),
-    t("Draw and send it, to be sure."));
+function checkBounds({ latest }: Vehicle): Check {
+  const bounds = boundsOf(latest["safety/state"]?.message);
+  if (!bounds) return note(t("fence: not known"), t("Draw and send it, to be sure."));
   return bounds.fence_m.length > 0 ? green(t("a fence is set"))
     : note(t("no fence is set"), t("Draw one on the map."));
+}
+
+function checkHome({ latest }: Vehicle): Check {
+  return homeOf(latest["safety/state"]?.message) ? green(t("it knows where to return"))
+    : note(t("return place: not known"), t("Set one below the map."));
 }
 
 /** Reactions of the gate that its diagnostic tells, by the names of its parameters. */
@@ -143,7 +148,7 @@ export function checklist(shown: State, live: State, vehicle: Vehicle): Check[] 
   return [checkLink(live, vehicle), checkAutopilot(shown, vehicle), checkServices(shown, vehicle),
     checkOdometry(shown, vehicle), checkBattery(shown, vehicle), checkCamera(shown, vehicle),
     checkPerson(shown, vehicle), checkMap(vehicle), checkPlan(shown, vehicle),
-    checkBounds(vehicle), ...checkDryRun(vehicle)];
+    checkBounds(vehicle), checkHome(vehicle), ...checkDryRun(vehicle)];
 }
 
 export const isReady = (checks: Check[]): boolean => checks.every((c) => c.light !== "red");

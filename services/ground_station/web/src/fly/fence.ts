@@ -26,6 +26,19 @@ export function mapAround(points: Corner[], width: number, height: number): Map2
   return { scale, x: width / 2 - east * scale, y: height / 2 + north * scale };
 }
 
+/** About the middle of the drawing. */
+export function zoomed(map: Map2d, zoom: number, width: number, height: number): Map2d {
+  const [x, y] = [width / 2, height / 2];
+  return { scale: map.scale * zoom, x: x + zoom * (map.x - x), y: y + zoom * (map.y - y) };
+}
+
+/** Of the ruler: a round length that is seen well. */
+export function scaleOf(map: Map2d): { metres: number; px: number } {
+  const metres = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]
+    .find((m) => m * map.scale > 40) ?? 2000;
+  return { metres, px: metres * map.scale };
+}
+
 const turn = ([ax, ay]: Corner, [bx, by]: Corner, [cx, cy]: Corner): number =>
   (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 

@@ -2,8 +2,8 @@
 // What an operator sets before and during a flight.
 import { LeaseButton, NameField } from "../panels/commands.tsx";
 import type { Session } from "../ui/session.ts";
+import { BoundsPanel } from "./bounds.tsx";
 import { ChecklistPanel } from "./checklist.tsx";
-import { FencePanel } from "./fence.tsx";
 import { FramingPanel } from "./framing.tsx";
 
 export function FlyPanel({ session }: { session: Session }) {
@@ -12,7 +12,7 @@ export function FlyPanel({ session }: { session: Session }) {
       <div class="row control"><NameField session={session} /><LeaseButton session={session} /></div>
       <FramingPanel session={session} />
       <ChecklistPanel session={session} />
-      <FencePanel session={session} />
+      <BoundsPanel session={session} />
     </div>
   );
 }

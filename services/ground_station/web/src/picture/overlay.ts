@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn over a picture, in its own pixels: everybody who is known, ways, the plan.
-import { type CompressedImage, type MovingBodies, type MovingBody, seconds,
+import { type Header, type MovingBodies, type MovingBody, seconds,
 } from "../data/messages.ts";
 import { personKind } from "../data/words.ts";
 import { samplePlan } from "../store/derive.ts";
@@ -53,11 +53,11 @@ function fullWidth({ latest }: Vehicle): number | null {
 }
 
 /** null: the camera or the vehicle's pose then is not known. */
-export function viewOf(state: State, vehicle: Vehicle, image: CompressedImage): View | null {
+export function viewOf(state: State, vehicle: Vehicle, header: Header): View | null {
   const info = vehicle.latest["camera/ground/camera_info"]?.message;
-  const pose = poseAt(vehicle.poses, seconds(image.header.stamp));
+  const pose = poseAt(vehicle.poses, seconds(header.stamp));
   if (!info || !pose) return null;
-  return { info, mount: mountOf(state, vehicle, image.header.frame_id), vehicle: pose };
+  return { info, mount: mountOf(state, vehicle, header.frame_id), vehicle: pose };
 }
 
 function distanceTo(body: MovingBody, view: View): number {
@@ -120,11 +120,11 @@ function planOf(state: State, vehicle: Vehicle, view: View): Pixel[][] {
   return projectLine(view, samplePlan(heard.message, 24));
 }
 
-export function overlayOf(state: State, vehicle: Vehicle, image: CompressedImage,
+export function overlayOf(state: State, vehicle: Vehicle, header: Header,
                           size: { width: number; height: number }): Overlay {
   const { width, height } = size;
-  const stamp_s = seconds(image.header.stamp);
-  const view = viewOf(state, vehicle, image);
+  const stamp_s = seconds(header.stamp);
+  const view = viewOf(state, vehicle, header);
   const full = fullWidth(vehicle);
   const scale = full === null ? null : width / full;
   const nearest = vehicle.looks.nearest(stamp_s, lookStamp);

@@ -2,6 +2,8 @@
 // What the vehicle sees: as large as wanted, with everybody in it, who can be tapped to be followed.
 import { useEffect, useRef, useState } from "preact/hooks";
 
+import { saveClip } from "../ui/clip.ts";
+import { download } from "../ui/download.ts";
 import { age, timeOfDay } from "../ui/format.ts";
 import { Icon } from "../ui/icon.tsx";
 import type { Session } from "../ui/session.ts";
@@ -17,11 +19,12 @@ export type Layout = "inset" | "picture" | "scene";
 export function whyNone(session: Session): string {
   const { replay, vehicle, link } = session;
   if (!vehicle) return t("no vehicle");
-  if (vehicle.latest["camera/ground/image/compressed"]) return "";
+  const { latest } = vehicle;
+  if (latest["camera/ground/image/compressed"] || latest["camera/ground/video"]) return "";
   if (replay)
-    return replay.recording.topics().some((topic) => topic.endsWith(session.picture.slice(1)))
-      ? "" : t("This recording has no pictures.");
-  if (link.offers(session.picture)) return t("Waiting for the first picture …");
+    return session.hasVideo || replay.recording.topics().includes(session.picture) ? ""
+      : t("This recording has no pictures.");
+  if (link.offers(session.picture) || session.hasVideo) return t("Waiting for the first picture …");
   const color = `${vehicle.name}/camera/color/image`;
   const hasCamera = session.liveState.station?.message.topics.some((topic) =>
     topic.topic.includes(color) && topic.writers > 0) ?? false;
@@ -29,14 +32,6 @@ export function whyNone(session: Session): string {
     ? t("The vehicle has a camera and sends no pictures: perception is not running, or " +
       "ground_stream is switched off.")
     : t("No colour images come from the vehicle, so there is nothing to show.");
-}
-
-function download(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 async function snapshot(session: Session, screen: PictureScreen | null): Promise<void> {
@@ -117,8 +112,17 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
         ) : null}
         <button onClick={toggleFull} aria-pressed={full} title={t("full screen")}
           aria-label={t("full screen")}><Icon name="full" /></button>
+        {session.hasVideo && session.video.possible ? (
+          <button aria-pressed={session.video.on} title={t("as video")} aria-label={t("as video")}
+            onClick={() => {
+              session.video.wanted = !session.video.on;
+              session.changed();
+            }}><Icon name="film" /></button>
+        ) : null}
         <button onClick={() => void snapshot(session, screen.current)} title={t("snapshot")}
           aria-label={t("snapshot")}><Icon name="camera" /></button>
+        <button onClick={() => void saveClip(session)} title={t("clip of the last 20 s")}
+          aria-label={t("clip of the last 20 s")}><Icon name="clip" /></button>
         {hide ? (
           <button onClick={hide} title={t("hide the picture")}
             aria-label={t("hide the picture")}><Icon name="close" /></button>

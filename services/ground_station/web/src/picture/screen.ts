@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The newest picture on a canvas: decoded one at a time, drawn when there is a new one.
-import { type CompressedImage, seconds } from "../data/messages.ts";
+// The newest picture on a canvas, an image or one of a video: drawn when there is a new one.
+import { seconds } from "../data/messages.ts";
 import type { Vehicle } from "../store/state.ts";
 import type { Session } from "../ui/session.ts";
+import { t } from "../ui/words.ts";
 import { draw, placeIn } from "./draw.ts";
+import { ImageReader } from "./images.ts";
 import { type Box, boxAt, type Overlay, overlayOf } from "./overlay.ts";
+import type { Picture } from "./picture.ts";
+import { VideoReader } from "./video.ts";
 
 const finger_px = 10;
 const snapshot_px = 1280; // wide
@@ -17,7 +21,7 @@ export function pictureAge_s(now_s: number, vehicle: Vehicle, stamp_s: number): 
   return Math.max(0, flight_s - stamp_s);
 }
 
-interface Shown { image: CompressedImage; bitmap: ImageBitmap; vehicle: string; generation: number }
+interface Shown extends Picture { vehicle: string; generation: number }
 
 export class PictureScreen {
   problem = "";
@@ -26,9 +30,12 @@ export class PictureScreen {
   private readonly observer = new ResizeObserver(() => this.fit());
   private shown: Shown | null = null;
   private overlay: Overlay | null = null;
-  private decoding = false;
-  private taken: CompressedImage | null = null; // the last that was decoded, or is
+  private readonly images = new ImageReader({ picture: (picture) => this.show(picture, false),
+    problem: (text) => (this.problem = text) });
+  private readonly video = new VideoReader({ picture: (picture) => this.show(picture, true),
+    problem: (text) => this.giveUpVideo(text) });
   private looked_s = -1; // stamp of the bodies that are drawn
+  private fedOf = ""; // whose pictures are decoded
   private request = 0;
   private pictures = 0;
 
@@ -42,7 +49,8 @@ export class PictureScreen {
   destroy(): void {
     cancelAnimationFrame(this.request);
     this.observer.disconnect();
-    this.shown?.bitmap.close();
+    this.shown?.source.close();
+    this.video.close();
     this.canvas.remove();
   }
 
@@ -51,7 +59,7 @@ export class PictureScreen {
     const { vehicle, generation } = this.session;
     const mine = this.shown && this.shown.vehicle === vehicle?.name &&
       this.shown.generation === generation;
-    return mine ? seconds(this.shown!.image.header.stamp) : null;
+    return mine ? seconds(this.shown!.header.stamp) : null;
   }
 
   /** Who is at this point of the canvas. */
@@ -70,12 +78,12 @@ export class PictureScreen {
   /** As it is drawn, with what lies over it. */
   async snapshot(caption: string): Promise<Blob | null> {
     if (!this.shown || this.stamp_s === null) return null;
-    const { bitmap } = this.shown;
-    const scale = Math.max(1, snapshot_px / bitmap.width);
+    const { source, width: wide, height: high } = this.shown;
+    const scale = Math.max(1, snapshot_px / wide);
     const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [bitmap.width * scale, bitmap.height * scale];
+    [canvas.width, canvas.height] = [wide * scale, high * scale];
     const context = canvas.getContext("2d")!;
-    draw(context, bitmap, this.overlay, { x: 0, y: 0, scale }, 1.5, bitmap);
+    draw(context, source, this.overlay, { x: 0, y: 0, scale }, 1.5, this.shown);
     context.font = "18px system-ui, sans-serif";
     const width = context.measureText(caption).width + 16;
     context.fillStyle = "#0b1015cc";
@@ -95,39 +103,46 @@ export class PictureScreen {
   private readonly loop = (): void => {
     this.request = requestAnimationFrame(this.loop);
     const { vehicle } = this.session;
-    const image = vehicle?.latest["camera/ground/image/compressed"]?.message;
     if (this.shown && this.stamp_s === null) this.clear();
     // What was seen in a picture comes a moment after it.
     if (this.shown && vehicle?.looks.newest?.stamp_s !== this.looked_s) this.lay();
-    if (!vehicle || !image || image === this.taken || this.decoding) return;
-    if (this.host.clientWidth === 0) return; // nobody sees it
-    this.taken = image;
-    void this.decode(image, vehicle.name);
+    if (!vehicle || this.host.clientWidth === 0) return; // nobody sees it
+    this.follow(vehicle);
+    if (this.session.showsVideo) this.video.feed(vehicle.video);
+    if (!this.session.showsVideo || !this.session.video.runs) this.images.feed(vehicle);
   };
 
-  private async decode(image: CompressedImage, vehicle: string): Promise<void> {
-    this.decoding = true;
-    const { generation } = this.session;
-    try {
-      // The bytes are a view into a larger buffer, which goes on.
-      const blob = new Blob([image.data.slice()], { type: `image/${image.format || "jpeg"}` });
-      const bitmap = await createImageBitmap(blob);
-      this.shown?.bitmap.close();
-      this.shown = { image, bitmap, vehicle, generation };
-      this.problem = "";
-      this.renew();
-    } catch (error) {
-      this.problem = (error as Error).message;
-    } finally {
-      this.decoding = false;
-    }
+  // A decoder goes on with the video that it began.
+  private follow({ name }: Vehicle): void {
+    const of = `${name} ${this.session.generation} ${this.session.showsVideo}`;
+    if (of === this.fedOf) return;
+    this.fedOf = of;
+    this.video.close();
+    this.session.video.runs = false;
+  }
+
+  private show(picture: Picture, isVideo: boolean): void {
+    const { vehicle, generation, video } = this.session;
+    if (!vehicle || (isVideo ? !this.session.showsVideo : video.runs)) return picture.source.close();
+    this.shown?.source.close();
+    this.shown = { ...picture, vehicle: vehicle.name, generation };
+    this.problem = "";
+    if (isVideo) video.runs = true;
+    this.host.dataset["kind"] = isVideo ? "video" : "image";
+    this.renew();
+  }
+
+  private giveUpVideo(text: string): void {
+    this.session.video.problem = text;
+    this.session.video.runs = false;
+    this.session.notice(t("No video: {why}. Images are shown.", { why: text }), true);
   }
 
   private lay(): void {
     const { vehicle, state } = this.session;
     if (!vehicle || !this.shown || this.stamp_s === null) return;
     this.looked_s = vehicle.looks.newest?.stamp_s ?? -1;
-    this.overlay = overlayOf(state, vehicle, this.shown.image, this.shown.bitmap);
+    this.overlay = overlayOf(state, vehicle, this.shown.header, this.shown);
     this.paint();
   }
 
@@ -135,23 +150,24 @@ export class PictureScreen {
     const { vehicle } = this.session;
     if (!vehicle || !this.shown || this.stamp_s === null) return;
     this.lay();
+    this.host.dataset["stamp"] = `${this.stamp_s}`;
     this.host.dataset["pictures"] = `${++this.pictures}`;
     this.host.dataset["lag"] =
       (1e3 * pictureAge_s(this.session.now_s, vehicle, this.stamp_s)).toFixed(0);
     this.host.dataset["first"] ??= performance.now().toFixed(0);
+    this.session.settle();
   }
 
   private paint(): void {
     if (!this.shown || this.canvas.width === 0) return;
-    const { bitmap } = this.shown;
-    const place = placeIn(this.canvas.width, this.canvas.height, bitmap);
+    const place = placeIn(this.canvas.width, this.canvas.height, this.shown);
     const unit = this.host.clientWidth > 0 ? this.canvas.width / this.host.clientWidth : 1;
     const small = this.host.clientWidth < 300 ? 0.8 : 1;
-    draw(this.context, bitmap, this.overlay, place, unit * small, bitmap);
+    draw(this.context, this.shown.source, this.overlay, place, unit * small, this.shown);
   }
 
   private clear(): void {
-    this.shown?.bitmap.close();
+    this.shown?.source.close();
     this.shown = null;
     this.overlay = null;
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);

@@ -10,7 +10,7 @@ const period_ms = 120;
 
 export function Plots({ session }: { session: Session }) {
   const host = useRef<HTMLDivElement>(null);
-  const stack = useModule(() => import("./stack.ts"));
+  const stack = useModule(() => session.settled.then(() => import("./stack.ts")));
   useEffect(() => {
     if (!stack || !host.current) return;
     const charts = new stack.ChartStack(session, host.current);

@@ -2,6 +2,7 @@
 // Between the page and the scene, which runs in a worker of its own: a picture that software draws
 // would hold up the page's thread, and with it every sample.
 import type { TrailPoint } from "../store/series.ts";
+import type { GroundPiece } from "./ground.ts";
 import type { Seen } from "./sketch.ts";
 
 export type ViewKind = "orbit" | "follow" | "top";
@@ -57,6 +58,7 @@ export type ToScene =
   | { kind: "size"; width: number; height: number }
   | { kind: "look"; view: ViewKind; cut: boolean }
   | { kind: "input"; event: InputEvent }
+  | { kind: "ground"; pieces: GroundPiece[] }
   | { kind: "news"; news: News };
 
 export type FromScene =

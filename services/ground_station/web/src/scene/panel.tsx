@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { TapMenu, type Tapped } from "../picture/people.tsx";
+import { useModule } from "../ui/hooks.ts";
 import { spoken } from "../ui/palette.ts";
 import type { Session } from "../ui/session.ts";
 import { said, t } from "../ui/words.ts";
@@ -16,11 +17,13 @@ export function ScenePanel({ session, handle }: { session: Session; handle: Scen
   const host = useRef<HTMLDivElement>(null);
   const screen = useRef<SceneScreen | null>(null);
   const [tapped, setTapped] = useState<Tapped | null>(null);
+  const settled = useModule(() => session.settled);
   useEffect(() => {
+    if (!settled) return;
     screen.current = new SceneScreen(session, host.current!);
     screen.current.onTap = setTapped;
     return () => screen.current?.destroy();
-  }, []);
+  }, [settled]);
   handle.setView = (kind) => {
     screen.current?.setView(kind);
     session.changed();

@@ -4,31 +4,35 @@ import type { Tapped } from "../picture/people.tsx";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
 import { SceneFeed } from "./feed.ts";
+import { GroundFeed } from "./ground_feed.ts";
 import type { Counts, FromScene, InputEvent, Label, ToScene, ViewKind } from "./messages.ts";
 
 const longest_ms = 500; // what grows old is drawn so without anything new
+const groundPeriod_ms = 1000;
 const slow_ms = 8; // for a picture: software draws it, and the rest of the page has less time
 const inputs = ["pointerdown", "pointermove", "pointerup", "pointercancel", "wheel"];
 
 const start = (): Worker =>
   new Worker(new URL("scene_worker.js", import.meta.url), { type: "module" });
-let early: Worker | null = start(); // while the page is still being made
 
 export class SceneScreen {
   onTap: (tapped: Tapped) => void = () => {};
   kind: ViewKind = "follow";
   cut = true; // walls, so that they hide nothing
-  private readonly worker = early ?? start();
+  private readonly worker = start();
   private readonly canvas = document.createElement("canvas");
   private readonly feed = new SceneFeed();
+  private readonly ground: GroundFeed;
   private readonly labels = new Map<string, HTMLElement>();
   private readonly observer = new ResizeObserver(() => this.fit());
   private asked = true;
   private told = { fresh: -1, at_ms: 0, generation: -1 };
+  private grounded_ms = 0; // when the map was looked for last
   private request = 0;
 
   constructor(private readonly session: Session, private readonly host: HTMLElement) {
-    early = null;
+    this.ground = new GroundFeed(session, (pieces) =>
+      this.tell({ kind: "ground", pieces }, pieces.map(({ bitmap }) => bitmap)));
     host.prepend(this.canvas);
     this.worker.onmessage = ({ data }: MessageEvent<FromScene>) => this.hear(data);
     this.worker.onerror = ({ message }) => this.fail(message || "the scene's worker did not start");
@@ -79,6 +83,10 @@ export class SceneScreen {
     if (this.told.generation < 0 && state.vehicles.size === 0) return; // nothing to begin with
     if (!this.asked || (fresh === this.told.fresh && now_ms - this.told.at_ms < longest_ms)) return;
     this.asked = false;
+    if (now_ms - this.grounded_ms > groundPeriod_ms) {
+      this.grounded_ms = now_ms;
+      this.ground.look();
+    }
     if (generation !== this.told.generation) this.clearLabels();
     this.told = { fresh, at_ms: now_ms, generation };
     this.tell({ kind: "news", news: this.feed.take(this.session) });

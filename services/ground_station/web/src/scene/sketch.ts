@@ -2,11 +2,11 @@
 // Of each message what the scene draws, in as few objects as can be: each of them, and above all
 // each small array of numbers, costs when it is handed to another thread.
 import type {
-  CameraModel, FleetDivision, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, TargetIntention,
+  CameraModel, FleetDivision, LocalMap, MovingBodies, PlannedTrajectory, PointCloud2, Pose, SafetyState, TargetIntention,
   TargetPrediction, TargetSearch, Vec3,
 } from "../data/messages.ts";
 import { personKind } from "../data/words.ts";
-import { duration_s, samplePlan } from "../store/derive.ts";
+import { boundsOf, duration_s, homeOf, samplePlan } from "../store/derive.ts";
 import type { Heard, Latest } from "../store/state.ts";
 
 const planPoints = 48;
@@ -43,6 +43,14 @@ export interface Search {
   viewpoint: Vec3 | null;
 }
 
+/** Where it may fly, and where `return` leads. */
+export interface Limits {
+  fence: Float64Array; // x, y of each corner
+  low_m: number | null;
+  high_m: number | null;
+  home: Vec3 | null;
+}
+
 /** A seat of a fleet: from where one of its vehicles sees the person. */
 export interface Seat { vehicle: string; bearing_rad: number; near: boolean }
 
@@ -57,6 +65,7 @@ export interface Sketches {
   "plan/trajectory": Plan;
   "target/search": Search;
   "fleet/division": Seat[];
+  "safety/state": Limits;
   "map/points": Omit<PointCloud2, "header">;
   "map/local": Omit<LocalMap, "header">;
 }
@@ -64,7 +73,8 @@ export type Drawn = keyof Sketches;
 export type Seen = { [T in Drawn]?: Heard<Sketches[T]> };
 
 /** Of a vehicle that is not chosen, what of these is drawn for it is less. */
-export const moreOfChosen: readonly Drawn[] = ["target/intention", "plan/trajectory", "fleet/division"];
+export const moreOfChosen: readonly Drawn[] = ["target/intention", "plan/trajectory", "fleet/division",
+  "safety/state"];
 
 type Maker<T extends Drawn> = (message: Latest[T]["message"], chosen: boolean) => Sketches[T];
 
@@ -98,6 +108,13 @@ function seatsOf({ seats }: FleetDivision): Seat[] {
     ({ vehicle, bearing_rad: ((seat % sectors) * 2 * Math.PI) / sectors, near: is_near }));
 }
 
+function limitsOf(safety: SafetyState, chosen: boolean): Limits {
+  const bounds = chosen ? boundsOf(safety) : null;
+  return { fence: Float64Array.from(bounds?.fence_m.flat() ?? []),
+    low_m: bounds?.altitude_min_m ?? null, high_m: bounds?.altitude_max_m ?? null,
+    home: chosen ? homeOf(safety) : null };
+}
+
 function planOf(plan: PlannedTrajectory, chosen: boolean): Plan {
   const total_s = duration_s(plan);
   return { points: flat(samplePlan(plan, planPoints)),
@@ -125,6 +142,7 @@ const makers: { [T in Drawn]: Maker<T> } = {
   "plan/trajectory": planOf,
   "target/search": searchOf,
   "fleet/division": seatsOf,
+  "safety/state": limitsOf,
   "map/points": ({ height, width, fields, point_step, data }) =>
     ({ height, width, fields, point_step, data }),
   "map/local": ({ resolution_m, origin_m, size_x, size_y, size_z, cells }) =>

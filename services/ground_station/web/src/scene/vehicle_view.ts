@@ -8,6 +8,7 @@ import { stale_s } from "../store/watch.ts";
 import { blue, colorOf, colorOfRgb, green, orange } from "../ui/palette.ts";
 import { Around } from "./around.ts";
 import { PersonBody, VehicleBody } from "./bodies.ts";
+import { BoundsView } from "./bounds.ts";
 import { polytopeEdges } from "./corridor.ts";
 import type { SeenVehicle } from "./known.ts";
 import { Lost } from "./lost.ts";
@@ -54,6 +55,7 @@ export class VehicleView {
   private readonly regions = new Fans(64);
   private readonly seats = new Fans(maxSeats);
   private readonly corridor = new Segments(1500, stopColor, 0.5);
+  private readonly bounds = new BoundsView();
   private readonly walls = new Walls();
   private drawn = new WeakSet<object>(); // messages whose shapes are up to date
   private corridor_s = -Infinity;
@@ -64,7 +66,8 @@ export class VehicleView {
     const color = colorOf(index);
     this.body = new VehicleBody(color);
     this.trail = new FadingLine(900, color);
-    this.details.add(this.sectors.mesh, this.regions.mesh, this.seats.mesh, this.corridor.mesh);
+    this.details.add(this.sectors.mesh, this.regions.mesh, this.seats.mesh, this.corridor.mesh,
+      this.bounds.group);
     this.group.add(this.body.group, this.person.group, this.trail.mesh, this.targetTrail.mesh,
       this.around.group, this.lost.group, this.ribbons.mesh, this.walls.mesh, this.details);
   }
@@ -152,8 +155,9 @@ export class VehicleView {
 
   private drawDetails(now_s: number, vehicle: SeenVehicle,
                       fresh: (heard?: { time_s: number }) => boolean): void {
-    const { "target/intention": intention, "plan/trajectory": plan, "target/state": target } =
-      vehicle.latest;
+    const { "target/intention": intention, "plan/trajectory": plan, "target/state": target,
+      "safety/state": safety } = vehicle.latest;
+    if (safety && this.isNew(safety)) this.bounds.set(safety.message);
     this.sectors.mesh.visible = fresh(intention) && target?.message.status !== Track.lost;
     const division = vehicle.latest["fleet/division"];
     this.seats.mesh.visible = fresh(division) && target !== undefined;

@@ -8,6 +8,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { Track } from "../data/words.ts";
 import { stale_s } from "../store/watch.ts";
+import { Ground } from "./ground.ts";
 import { groundGrid, gridStep_m } from "./grid.ts";
 import { Known, type SeenVehicle } from "./known.ts";
 import type { FromScene, Label, ToScene, ViewKind } from "./messages.ts";
@@ -38,6 +39,7 @@ export class SceneView {
   private readonly camera = new PerspectiveCamera(50, 1, 0.1, 300);
   private readonly surface = new Surface();
   private readonly controls: OrbitControls;
+  private readonly ground = new Ground();
   private readonly grid = groundGrid();
   private readonly known = new Known();
   private readonly vehicles = new Map<string, VehicleView>();
@@ -65,7 +67,7 @@ export class SceneView {
     this.scene.background = new Color("#0b1015");
     const sun = new DirectionalLight("#ffffff", 1.2);
     sun.position.set(4, -6, 10);
-    this.scene.add(this.grid, new AmbientLight("#ffffff", 2), sun);
+    this.scene.add(this.ground.group, this.grid, new AmbientLight("#ffffff", 2), sun);
     this.loop();
   }
 
@@ -73,6 +75,10 @@ export class SceneView {
     if (message.kind === "input") this.surface.hand(message.event);
     else if (message.kind === "size") this.fit(message.width, message.height);
     else if (message.kind === "look") this.look(message.view, message.cut);
+    else if (message.kind === "ground") {
+      this.ground.set(message.pieces);
+      this.stirred = true;
+    }
     else {
       this.known.apply(message.news);
       this.heard_ms = performance.now();

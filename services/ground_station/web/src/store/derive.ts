@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quantities that no topic carries.
-import type { Odometry, PlannedTrajectory, Quaternion, TargetState, TrajectoryPiece,
+import type { Odometry, PlannedTrajectory, Quaternion, SafetyState, TargetState, TrajectoryPiece,
+  Vec3,
 } from "../data/messages.ts";
 import { Track } from "../data/words.ts";
 import type { State, Vehicle } from "./state.ts";
@@ -47,6 +48,31 @@ export function yawError_rad(odometry?: Odometry, target?: TargetState): number 
   const bearing = Math.atan2(target.position_m[1]! - position.y,
     target.position_m[0]! - position.x);
   return wrap(bearing - yawOf(orientation));
+}
+
+/** Where it may fly, as its gate has it. null: no bound. */
+export interface Bounds {
+  fence_m: [number, number][];
+  altitude_min_m: number | null;
+  altitude_max_m: number | null;
+}
+
+const finite = (value: number | undefined): number | null =>
+  value !== undefined && Number.isFinite(value) ? value : null;
+
+/** null: a gate of an older release, which does not tell. */
+export function boundsOf(safety: SafetyState | undefined): Bounds | null {
+  if (!safety?.fence_m) return null;
+  const at = Array.from(safety.fence_m);
+  return {
+    fence_m: Array.from({ length: at.length >> 1 }, (_, i) => [at[2 * i]!, at[2 * i + 1]!]),
+    altitude_min_m: finite(safety.altitude_min_m), altitude_max_m: finite(safety.altitude_max_m),
+  };
+}
+
+/** Where `return` leads; null: not known. */
+export function homeOf(safety: SafetyState | undefined): Vec3 | null {
+  return safety?.home_known && safety.home_m ? safety.home_m : null;
 }
 
 export function speed_mps(odometry: Odometry): number {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each topic of a vehicle adds to its series, trails and ladder, and the events it makes.
 import {
-  type BatteryStatus, type FleetDivision, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
+  type BatteryStatus, type CompressedVideo, type FleetDivision, type MissionCommand, type MovingBodies, type Odometry, type PlannedTrajectory, seconds,
   type SafetyState, type ServiceHealth, type TargetIntention, type TargetState,
 } from "../data/messages.ts";
 import type { Sample } from "../data/sample.ts";
 import * as words from "../data/words.ts";
 import {
-  boundsCommand, GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track, Trust,
+  GateReason, leaseCommand, Mode, PlanState, Result, ServiceState, Track, Trust,
 } from "../data/words.ts";
 import { colorOfRgb } from "../ui/palette.ts";
 import { t } from "../ui/words.ts";
 import { hold, note } from "./alarms.ts";
 import { distance_m, speed_mps, yawError_rad } from "./derive.ts";
-import type { Bounds, Rung, Severity, State, Vehicle } from "./state.ts";
+import type { Rung, Severity, State, Vehicle } from "./state.ts";
 
 type Fold = (state: State, vehicle: Vehicle, sample: Sample) => void;
 
@@ -79,7 +79,6 @@ const foldSafety: Fold = (state, vehicle, { message, time_s }) => {
   climb(state, vehicle, safety, time_s);
   hold(state, vehicle.name, "second writer", Boolean(safety.alarm), "alarm", safety.alarm ?? "");
   measureLatency(vehicle, safety, time_s);
-  settleBounds(vehicle, safety);
 };
 
 // The first cause that is heard may be old: its setpoint may have come before we listened.
@@ -130,7 +129,8 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
   if (from !== to)
     note(state, vehicle.name, "info", to ? t("{who} has control", { who: to }) : t("{who} gave up control", { who: from }));
   const isNew = before.command_id !== now.command_id || before.command_result !== now.command_result;
-  const refused = now.command_result > Result.accepted && now.command_result < Result.pending;
+  const taken: number[] = [Result.accepted, Result.pending, Result.acceptedUnwritten];
+  const refused = now.command_result > 0 && !taken.includes(now.command_result);
   if (!isNew || now.command_result === Result.pending || (now.command === leaseCommand && !refused)) return;
   const order = now.command === undefined ? t("command") : words.commandWord(now.command);
   note(state, vehicle.name, refused ? "warning" : "info",
@@ -139,40 +139,20 @@ function compare(state: State, vehicle: Vehicle, now: SafetyState): void {
 }
 
 const foldCommand: Fold = (state, vehicle, { message }) => {
-  const { command, operator_id, id } = message as MissionCommand;
+  const { command, operator_id } = message as MissionCommand;
   if (command === leaseCommand) return;
-  if (command === boundsCommand)
-    vehicle.ordered = { command_id: id, bounds: boundsOf(message as MissionCommand) };
   note(state, vehicle.name, "info",
     t("{who} orders: {order}",
       { who: operator_id || t("someone"), order: words.commandWord(command) }));
 };
 
-function boundsOf(order: MissionCommand): Bounds {
-  const at = Array.from(order.fence_m ?? []);
-  const altitude = (value?: number): number | null =>
-    value !== undefined && Number.isFinite(value) ? value : null;
-  return {
-    fence_m: Array.from({ length: at.length >> 1 }, (_, i) => [at[2 * i]!, at[2 * i + 1]!]),
-    altitude_min_m: altitude(order.altitude_min_m),
-    altitude_max_m: altitude(order.altitude_max_m),
-  };
-}
-
-// They count once the gate has taken them.
-function settleBounds(vehicle: Vehicle, safety: SafetyState): void {
-  const { ordered } = vehicle;
-  if (!ordered || safety.command_id !== ordered.command_id) return;
-  if (safety.command_result === Result.pending) return;
-  const { accepted, acceptedUnwritten } = Result;
-  if (safety.command_result === accepted || safety.command_result === acceptedUnwritten)
-    vehicle.bounds = ordered.bounds;
-  vehicle.ordered = null;
-}
-
 const foldBodies: Fold = (_state, vehicle, { message }) => {
   const bodies = message as MovingBodies;
   vehicle.looks.push(seconds(bodies.header.stamp), bodies);
+};
+
+const foldVideo: Fold = (_state, vehicle, { message }) => {
+  vehicle.video.push(message as CompressedVideo);
 };
 
 const foldDivision: Fold = (state, vehicle, { message }) => {
@@ -212,6 +192,7 @@ export const folders: Record<string, Fold> = {
   "target/intention": foldIntention,
   "plan/trajectory": foldPlan,
   "bodies": foldBodies,
+  "camera/ground/video": foldVideo,
   "safety/state": foldSafety,
   "mission/command": foldCommand,
   "fleet/division": foldDivision,

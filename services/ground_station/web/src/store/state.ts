@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that the page knows, at one moment of one flight or recording.
 import type {
-  BatteryStatus, CameraInfo, CompressedImage, DiagnosticStatus, FleetDivision, LocalMap, MovingBodies, Odometry,
+  BatteryStatus, CameraInfo, CompressedImage, CompressedVideo, DiagnosticStatus, FleetDivision, LocalMap, MovingBodies, Odometry,
   PlannedTrajectory, PointCloud2, SafetyState, ServiceHealth, TargetChoice, TargetIntention,
   TargetObservation, TargetPrediction, TargetSearch, TargetState, TransformStamped,
+  VehicleLocalPosition,
 } from "../data/messages.ts";
 import type { StationStatus } from "../data/station.ts";
 import { History } from "./history.ts";
 import { Series, Trail } from "./series.ts";
-
-/** Where it may fly, as the last order that its gate took said. */
-export interface Bounds {
-  fence_m: [number, number][];
-  altitude_min_m: number | null;
-  altitude_max_m: number | null;
-}
+import { VideoRun } from "./video_run.ts";
 
 export interface Heard<T> { message: T; time_s: number }
 
@@ -30,12 +25,14 @@ export interface Latest {
   "target/choice": Heard<TargetChoice>;
   "fleet/division": Heard<FleetDivision>;
   "camera/ground/image/compressed": Heard<CompressedImage>;
+  "camera/ground/video": Heard<CompressedVideo>;
   "camera/ground/camera_info": Heard<CameraInfo>;
   "camera/color/camera_info": Heard<CameraInfo>;
   "safety/state": Heard<SafetyState>;
   "map/points": Heard<PointCloud2>;
   "map/local": Heard<LocalMap>;
   "fmu/out/battery_status": Heard<BatteryStatus>;
+  "fmu/out/vehicle_local_position": Heard<VehicleLocalPosition>;
 }
 
 /** A stretch of time in which something stayed in one state for one reason. */
@@ -68,8 +65,7 @@ export interface Vehicle {
   targetTrail: Trail;
   poses: History<Odometry>; // by their own stamps, for what was seen then
   looks: History<MovingBodies>;
-  ordered: { command_id: bigint; bounds: Bounds } | null; // not answered yet
-  bounds: Bounds | null; // null: not known
+  video: VideoRun;
 }
 
 export interface Traffic {
@@ -148,7 +144,7 @@ export function makeVehicle(name: string, before: number): Vehicle {
     latency: new Series(["latency"], 0.02),
     lanes: { person: [], plan: [], mission: [], gate: [] }, caused_by_s: -Infinity,
     trail: new Trail(), targetTrail: new Trail(),
-    poses: new History(), looks: new History(), ordered: null, bounds: null,
+    poses: new History(), looks: new History(), video: new VideoRun(),
   };
 }
 

@@ -11,6 +11,7 @@ const advices: [RegExp, () => string][] = [
   [/no proof/, () => t("Give control back and take it again.")],
   [/written/, () => t("The vehicle's disk is full or broken: see its diagnostics.")],
   [/bounds/, () => t("Draw at least three corners around the vehicle, and let its ways not cross.")],
+  [/place is outside/, () => t("Choose a place inside of the fence.")],
   [/nobody of that number/, () => t("That person is no longer seen: tap another one.")],
   [/framing|not safe/, () => t("Choose a distance and a height within the sliders.")],
   [/take the lease/, () => t("Take control first.")],

@@ -18,11 +18,13 @@ export function useModule<T>(load: () => Promise<T>): T | null {
   return module;
 }
 
+const narrowQuery = "(max-width: 820px)";
+export const isNarrow = (): boolean => matchMedia(narrowQuery).matches;
+
 export function useNarrow(): boolean {
-  const query = "(max-width: 820px)";
-  const [narrow, setNarrow] = useState(matchMedia(query).matches);
+  const [narrow, setNarrow] = useState(isNarrow());
   useEffect(() => {
-    const list = matchMedia(query);
+    const list = matchMedia(narrowQuery);
     const listen = (): void => setNarrow(list.matches);
     list.addEventListener("change", listen);
     return () => list.removeEventListener("change", listen);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who commands, with which token; and the requests to the station.
+import type { GroundMap } from "../ground/ground_map.ts";
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 
 export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop" |
-  "take_off" | "follow" | "framing" | "bounds";
+  "take_off" | "follow" | "framing" | "bounds" | "return_place";
 /** What an order says besides its name. null: as the parameters have it, or no bound. */
 export type OrderDetails =
   | { person_id: number }
   | { distance_m: number | null; height_m: number | null; bearing_rad: number | null;
       circling_radps: number }
-  | { fence_m: [number, number][]; altitude_min_m: number | null; altitude_max_m: number | null };
+  | { fence_m: [number, number][]; altitude_min_m: number | null; altitude_max_m: number | null }
+  | { position_m: [number, number] };
 export type LeaseAction = "take" | "release" | "hand_over";
 
 const nameKey = "foretrack.operator";
@@ -60,6 +62,12 @@ export class Operator {
   async status(): Promise<StationStatus> {
     const answer = await fetch("api/status", { headers: this.headers() });
     return (await answer.json()) as StationStatus;
+  }
+
+  /** null: the station has none, or a token is missing. */
+  async groundMap(): Promise<GroundMap | null> {
+    const answer = await fetch("map.json", { headers: this.headers() }).catch(() => null);
+    return answer?.ok ? ((await answer.json()) as GroundMap | null) : null;
   }
 
   /** Never throws: what fails is a refusal with a reason. */

@@ -17,7 +17,7 @@ import { ChoiceDialog, ChoiceLine } from "../picture/choice.tsx";
 import { type Layout, PicturePanel, whyNone } from "../picture/panel.tsx";
 import { Plots } from "../plots/panel.tsx";
 import { ScenePanel, type SceneHandle } from "../scene/panel.tsx";
-import { useNarrow, useSession } from "./hooks.ts";
+import { isNarrow, useNarrow, useSession } from "./hooks.ts";
 import { Icon } from "./icon.tsx";
 import { keyHelp, listenToKeys } from "./keys.ts";
 import { openRecording } from "./open_recording.ts";
@@ -96,6 +96,10 @@ function useDroppedFiles(session: Session): void {
 }
 
 const layoutKey = "foretrack.layout";
+
+/** As the page will begin: before anything of it is drawn, its picture can be asked for. */
+export const beginsWithPicture = (): boolean =>
+  !isNarrow() && localStorage.getItem(layoutKey) !== "scene";
 
 function useLayout(): [Layout, (layout: Layout) => void] {
   const [layout, setLayout] = useState<Layout>(

@@ -4,8 +4,10 @@ import { Intake } from "../data/intake.ts";
 import { LiveLink } from "../data/live.ts";
 import type { Recording } from "../data/recording.ts";
 import { Replay } from "../data/replay.ts";
+import type { GroundMap } from "../ground/ground_map.ts";
 import type { RawSample } from "../data/sample.ts";
-import { pictureTopic } from "../data/topics.ts";
+import { byName, pictureTopic, videoTopic } from "../data/topics.ts";
+import { VideoChoice } from "../picture/video_choice.ts";
 import { type Input, reduce } from "../store/reduce.ts";
 import { makeState, type State, type Vehicle } from "../store/state.ts";
 import { Operator } from "./operator.ts";
@@ -15,6 +17,8 @@ interface Stage { state: State; intake: Intake }
 
 // A page that stood still finds its samples waiting: it takes them before it calls anything old.
 const late_ms = 500;
+const longestStart_ms = 800;
+const schemasAFrame = 2; // the first picture is not to wait for all
 
 function makeStage(): Stage {
   const state = makeState();
@@ -22,8 +26,8 @@ function makeStage(): Stage {
   return { state, intake };
 }
 
-function feed(stage: Stage, samples: RawSample[], now_s: number): void {
-  for (const sample of stage.intake.take(samples)) reduce(stage.state, { kind: "sample", sample });
+function feed(stage: Stage, samples: RawSample[], now_s: number, schemas = Infinity): void {
+  for (const sample of stage.intake.take(samples, schemas)) reduce(stage.state, { kind: "sample", sample });
   reduce(stage.state, { kind: "time", now_s });
 }
 
@@ -31,10 +35,15 @@ export class Session {
   readonly operator = new Operator();
   readonly sound = new AlarmSound();
   readonly link: LiveLink;
+  readonly video = new VideoChoice();
   replay: Replay | null = null;
   chosen = ""; // vehicle
   watching = false; // the chosen vehicle's picture is seen
   span_s = 30; // of the plots
+  /** The first picture is there, or none will be soon: what takes the machine long may begin. */
+  readonly settled: Promise<true>;
+  settle: () => void = () => {};
+  ground: GroundMap | null = null; // the station's map
   fresh = 0; // grows when there is something new to draw
   generation = 0; // of the shown state: the scene and the plots begin anew
   drawsSlowly = false; // the scene takes much of the machine
@@ -47,9 +56,16 @@ export class Session {
 
   constructor(url: string) {
     const { state } = this.live;
+    this.settled = new Promise((resolve) => (this.settle = () => resolve(true)));
+    setTimeout(() => this.settle(), longestStart_ms);
+    void this.settled.then(() => this.loadGround());
     this.link = new LiveLink(() => url + this.operator.query(), {
       link: (open, reason) => this.tell({ kind: "link", open, reason, now_s: this.link.now_s() }),
       problem: (text) => reduce(state, { kind: "problem", text }),
+      offer: () => {
+        this.wantPicture(); // first, as it is what is waited for
+        if (!this.watching || this.link.offering().length === 0) this.settle();
+      },
     });
   }
 
@@ -73,7 +89,7 @@ export class Session {
     const { vehicles } = this.state;
     if (this.sorted.of !== vehicles || this.sorted.list.length !== vehicles.size)
       this.sorted = { of: vehicles, list: [...vehicles.values()].sort((a, b) =>
-        a.name.localeCompare(b.name, undefined, { numeric: true })) };
+        byName(a.name, b.name)) };
     return this.sorted.list;
   }
 
@@ -85,20 +101,46 @@ export class Session {
     return vehicles.keys().next().value ?? station?.message.vehicles[0]?.name ?? "";
   }
 
-  /** The chosen vehicle's topic of pictures. */
+  /** Of the chosen vehicle, or of who offers pictures before anything is heard. */
+  private pictured(topic: string): string {
+    return `/${this.vehicle?.name ?? this.link.offering()[0] ?? ""}/${topic}`;
+  }
+  /** The topic of its pictures. */
   get picture(): string {
-    return `/${this.vehicle?.name ?? ""}/${pictureTopic}`;
+    return this.pictured(pictureTopic);
+  }
+  /** There is a video of it, in what is shown. */
+  get hasVideo(): boolean {
+    const topic = this.pictured(videoTopic);
+    return this.replay ? this.replay.recording.topics().includes(topic) : this.link.offers(topic);
+  }
+  get showsVideo(): boolean {
+    return this.video.on && this.hasVideo;
+  }
+
+  // Images until the video runs.
+  private wantPicture(): void {
+    const watched = this.watching && !this.replay && !document.hidden;
+    const videos = this.showsVideo ? [this.pictured(videoTopic)] : [];
+    const images = this.showsVideo && this.video.runs ? [] : [this.picture];
+    this.link.want(watched ? [...images, ...videos] : []);
   }
 
   /** Once a frame. */
   frame(): void {
     const late = performance.now() - this.fed_ms > late_ms;
     this.fed_ms = performance.now();
-    this.link.want(this.watching && !this.replay && !document.hidden ? this.picture : "");
+    this.wantPicture();
     if (late) setTimeout(() => this.feedLive(), 50);
     else this.feedLive();
     if (this.replay) this.feedReplay(this.replay);
     this.sound.hear(this.live.state);
+  }
+
+  /** Asked for again where a token was missing. */
+  async loadGround(): Promise<void> {
+    if (!this.ground) this.ground = await this.operator.groundMap();
+    this.changed();
   }
 
   choose(name: string): void {
@@ -140,7 +182,7 @@ export class Session {
   private feedLive(): void {
     const samples = this.link.take();
     if (samples.length > 0 && !this.replay) this.fresh++;
-    feed(this.live, samples, this.link.now_s());
+    feed(this.live, samples, this.link.now_s(), document.hidden ? Infinity : schemasAFrame);
   }
   private feedReplay(replay: Replay): void {
     const { restart, now_s, samples } = replay.take();

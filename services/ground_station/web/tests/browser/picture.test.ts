@@ -6,6 +6,8 @@ import type { Browser, Page } from "playwright-core";
 
 import { expectText, launch, open } from "../chromium.mjs";
 import { type StandIn, startStandIn } from "../stand_in.mjs";
+import { origin } from "../synthetic.mjs";
+import { png } from "../synthetic_camera.mjs";
 import { syntheticRecording } from "../write_mcap.mjs";
 
 let browser: Browser;
@@ -137,10 +139,53 @@ test("a fence is drawn on the map, checked, and sent", async () => {
   await page.locator(".bounds input").nth(1).fill("6");
   await send.click();
   await expectText(page, ".bounds h2", /as it is set/);
+  const later = await open(browser, station.url, { name: "bob" });
+  await later.getByRole("tab", { name: "Fly" }).click();
+  await expectText(later, ".bounds h2", /as it is set/);
+  assert.equal(await later.locator(".fencemap .corner").count(), 4);
+  assert.equal(await later.locator(".bounds input").nth(1).inputValue(), "6");
+  await later.context().close();
   const sent = station.bodies[0] as { fence_m: number[][]; altitude_max_m: number };
   assert.equal(sent.fence_m.length, 4);
   assert.ok(sent.fence_m[0]![1]! > sent.fence_m[2]![1]!, "north is up");
   assert.equal(sent.altitude_max_m, 6);
+});
+
+test("the return place is shown, set on the map or as where the vehicle is, and sent", async () => {
+  await tab("Fly");
+  await expectText(page, '[data-field="home"]', /^0\.0 m east, 0\.0 m north$/);
+  await take();
+  await page.locator(".returnplace button:not([disabled])", { hasText: "On the map" }).click();
+  const map = (await page.locator(".fencemap").boundingBox())!;
+  await page.mouse.click(map.x + 0.8 * map.width, map.y + 0.3 * map.height);
+  await expectText(page, '[data-field="home"]', /not sent yet/);
+  await page.getByRole("button", { name: "Send return place" }).click();
+  await expectText(page, '[data-field="home"]', /^\d+\.\d m east, \d+\.\d m north$/);
+  const [east, north] = (station.bodies[0] as { position_m: number[] }).position_m;
+  assert.ok(east! > 0 && north! > 0, `${east} ${north}`);
+  await page.getByRole("button", { name: "Here" }).click();
+  await page.getByRole("spinbutton", { name: "north" }).fill("-2.5");
+  await page.getByRole("button", { name: "Send return place" }).click();
+  await expectText(page, '[data-field="home"]', /-2\.5 m north$/);
+});
+
+test("the station's map lies under the fence, with coordinates of the vehicle and the pointer", async () => {
+  const side_deg = 0.002;
+  const { lat_deg, lon_deg } = origin;
+  const [west, east] = [lon_deg - side_deg, lon_deg + side_deg];
+  const [south, north] = [lat_deg - side_deg, lat_deg + side_deg];
+  station.map.set("map.json", JSON.stringify({ kind: "image", frame: "wgs84", width_px: 8, height_px: 8,
+    corners: [[west, north], [east, north], [east, south], [west, south]] }));
+  station.map.set("map/image", png({ width: 8, height: 8 }, (x, y) => [20 * x, 90, 20 * y]));
+  await page.reload();
+  await tab("Fly");
+  await page.waitForSelector(".fencemap image");
+  const map = (await page.locator(".fencemap").boundingBox())!;
+  const image = (await page.locator(".fencemap image").boundingBox())!;
+  assert.ok(image.x < map.x && image.x + image.width > map.x + map.width);
+  await expectText(page, '[data-field="coordinates"]', /● .* · 52\.5\d{6}° N 13\.4\d{6}° E/);
+  await page.mouse.move(map.x + 40, map.y + 40);
+  await expectText(page, '[data-field="coordinates"]', /⌖ .* · 52\.5\d{6}° N 13\.4\d{6}° E/);
 });
 
 test("the checklist says what is not ready, and take-off is held", async () => {
@@ -172,11 +217,78 @@ test("a recording shows its pictures, and nobody can be chosen in it", async () 
   await page.getByRole("button", { name: "End replay" }).click();
 });
 
+const showsVideo = (shown: Page = page) => shown.waitForSelector(`${frame}[data-kind="video"]`);
+
+test("the picture is shown as video where it is chosen, and the choice is kept", async () => {
+  await page.context().close();
+  station.close();
+  station = await startStandIn({ vehicles: 1, video: true });
+  page = await open(browser, station.url, { name: "ada" });
+  await page.waitForSelector(`${frame}[data-kind="image"]`);
+  assert.equal(station.videoed.size, 0);
+  await page.getByRole("button", { name: "as video" }).click();
+  await showsVideo();
+  const [painted, before] = [station.painted, await pictures()];
+  await page.waitForTimeout(1200);
+  assert.ok(await pictures() > before + 5);
+  assert.ok(station.painted <= painted + 2, "images are read no more");
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+  await page.getByRole("button", { name: "picture large" }).click();
+  await expectText(page, ".people", /1 · \d\.\d m/);
+  await page.reload();
+  await showsVideo();
+  assert.deepEqual(page.problems, []);
+});
+
+test("a video that cannot be decoded gives way to images, with a word", async () => {
+  await page.context().close();
+  station.close();
+  station = await startStandIn({ vehicles: 1, video: true });
+  station.videoFault = true;
+  page = await open(browser, station.url, { name: "ada" });
+  await page.getByRole("button", { name: "as video" }).click();
+  await expectText(page, '[data-field="answer"]', /No video: .+ Images are shown/);
+  const before = await pictures();
+  await page.waitForTimeout(600);
+  assert.ok(await pictures() > before + 3);
+  assert.equal(await page.getAttribute(frame, "data-kind"), "image");
+  station.videoFault = false;
+  await page.getByRole("button", { name: "as video" }).click();
+  await showsVideo();
+});
+
+test("a recorded video is shown from the key picture before the place that is sought", async () => {
+  const bytes = await syntheticRecording({ begin_s: 1_700_000_000, seconds: 6, video: true });
+  await page.evaluate(() => localStorage.setItem("foretrack.picture", "video"));
+  await page.reload();
+  await tab("Recordings");
+  await page.setInputFiles('[aria-label="open a recording"]',
+    { name: "flight.mcap", mimeType: "application/octet-stream", buffer: Buffer.from(bytes) });
+  await page.getByRole("button", { name: "pause" }).click();
+  await page.fill('[aria-label="go to"]', "4.2"); // keys come at 3.65 s and 4.85 s
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(`${frame}[data-kind="video"][data-stamp="4.15"]`);
+  await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
+});
+
 test("a snapshot is a PNG with what lies over the picture", async () => {
   await page.waitForSelector(`${frame}[data-pictures]`);
   const [download] = await Promise.all([page.waitForEvent("download"),
     page.getByRole("button", { name: "snapshot" }).click()]);
   assert.match(download.suggestedFilename(), /^uav1_\d+\.png$/);
+});
+
+test("a clip of the last seconds is asked of the station, live and of a recording", async () => {
+  const clip = page.getByRole("button", { name: "clip of the last 20 s" });
+  const answer = '[data-field="answer"]';
+  await page.waitForSelector(`${frame}[data-pictures]`);
+  await clip.click();
+  await expectText(page, answer, /Nothing is recorded/);
+  station.recording = { active: true, file: "today.mcap", bytes: 1, seconds: 50.5 };
+  await page.waitForFunction("foretrack.liveState.station.message.recording !== null");
+  const [film] = await Promise.all([page.waitForEvent("download"), clip.click()]);
+  assert.equal(film.suggestedFilename(), "today_uav1_31s.webm");
+  assert.deepEqual(station.clips, ["/clips/today.webm?vehicle=uav1&from_s=30.50&to_s=50.50"]);
 });
 
 test("alarms sound until they are acknowledged, unless they are muted", async () => {

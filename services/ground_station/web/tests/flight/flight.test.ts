@@ -7,10 +7,12 @@ import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 
-import type { Odometry, PlannedTrajectory, SafetyState, ServiceHealth, TargetIntention, TargetState,
+import type { BatteryStatus, Odometry, PlannedTrajectory, SafetyState, ServiceHealth, TargetIntention,
+  TargetState, VehicleLocalPosition,
 } from "../../src/data/messages.ts";
 import { explainGate, modeWord, phaseWord, planWord, trackWord } from "../../src/data/words.ts";
-import { distance_m } from "../../src/store/derive.ts";
+import { toWgs84 } from "../../src/ground/place.ts";
+import { distance_m, speed_mps } from "../../src/store/derive.ts";
 import { expectText, launch, open } from "../chromium.mjs";
 import { Observer } from "./observer.ts";
 import { Flight, stationOffers } from "./program.ts";
@@ -19,6 +21,7 @@ const onboard = ["perception", "mapping", "prediction", "planning", "safety_gate
 const second = ["--clock-topic", "uav2/clock", "--px4-namespace", "px4_2"];
 const control = stationOffers("--enable-control");
 const shots = process.env["FORETRACK_SHOTS"];
+const localPosition = "/fmu/out/vehicle_local_position";
 const patience_ms = 40000;
 
 const flight = new Flight();
@@ -212,6 +215,68 @@ test("without a word from the station the page says so, and comes back", async (
 });
 
 const controlled = { skip: !control };
+
+test("battery, speed and coordinates are those of the topics", async () => {
+  await tab("Fly");
+  await eventually(async () => {
+    const told = await page.textContent(card("uav1", "battery"));
+    const heard = observer.last<BatteryStatus>("/fmu/out/battery_status").at(-1)!;
+    assert.ok(told!.includes(`${Math.round(100 * heard.remaining)} %`), told!);
+    assert.ok(told!.includes(`${heard.voltage_v.toFixed(1)} V`), told!);
+  });
+  await eventually(async () => {
+    const plotted = await page.textContent('[data-chart="Speed"] .values');
+    const told = Number(/vehicle ([\d.]+) m\/s/.exec(plotted!)![1]);
+    assertWithin(told, observer.last<Odometry>("/uav1/odometry", 2).map(speed_mps), 0.006);
+  });
+  await eventually(async () => {
+    const { ref_lat, ref_lon } = observer.last<VehicleLocalPosition>(localPosition).at(-1)!;
+    const text = await page.textContent('[data-field="coordinates"]');
+    const [, lat, lon] = /([\d.]+)° N ([\d.]+)° E/.exec(text!)!.map(Number);
+    const places = observer.last<Odometry>("/uav1/odometry", 3).map(({ pose }) =>
+      toWgs84({ lat_deg: ref_lat, lon_deg: ref_lon }, [pose.pose.position.x, pose.pose.position.y]));
+    assertWithin(lat!, places.map((p) => p.lat_deg), 1e-7);
+    assertWithin(lon!, places.map((p) => p.lon_deg), 1e-7);
+  });
+});
+
+test("fence, altitudes, return place and framing are those that the gate tells", controlled, async () => {
+  const give = (command: string, details: object) => page.evaluate(async ([name, more]) => {
+    const { operator } = (window as never as { foretrack: any }).foretrack;
+    await operator.lease("uav1", "take");
+    return operator.command("uav1", name, more);
+  }, [command, details] as const);
+  const gate = () => observer.last<SafetyState>("/uav1/safety/state").at(-1)!;
+  const fence_m = [[-60, -60], [60, -60], [60, 60], [-60, 60]];
+  const bounds = { fence_m, altitude_min_m: null, altitude_max_m: 9.5 };
+  assert.deepEqual(await give("bounds", bounds), { ok: true, reason: "accepted", answered: true });
+  await eventually(async () => {
+    assert.deepEqual(Array.from(gate().fence_m!), fence_m.flat());
+    assert.equal(await page.locator(".fencemap .corner").count(), gate().fence_m!.length / 2);
+    const altitudes = await page.locator(".bounds input").evaluateAll((inputs) =>
+      inputs.slice(0, 2).map((input) => (input as HTMLInputElement).value));
+    assert.deepEqual(altitudes, ["", `${gate().altitude_max_m}`]);
+  });
+  await give("return_place", { position_m: [3, -2] });
+  await eventually(async () => {
+    assert.ok(gate().home_known);
+    const [east, north] = Array.from(gate().home_m!) as [number, number];
+    assert.ok(Math.hypot(east - 3, north + 2) < 0.05, `${east} ${north}`);
+    assert.equal(await page.textContent('[data-field="home"]'),
+      `${east.toFixed(1)} m east, ${north.toFixed(1)} m north`);
+  });
+  const outside = await give("return_place", { position_m: [90, 0] }) as { ok: boolean; reason: string };
+  assert.equal(outside.ok, false);
+  assert.match(outside.reason, /refused: this place is outside of the fence/);
+  await give("framing", { distance_m: 2.2, height_m: null, bearing_rad: null, circling_radps: 0 });
+  await eventually(async () => {
+    assert.equal(gate().framing!.distance_m, 2.2);
+    assert.match((await page.textContent('[data-field="framing"]'))!, /2\.2 m/);
+  });
+  await give("bounds", { fence_m: [], altitude_min_m: null, altitude_max_m: null });
+  await page.evaluate(() => (window as never as { foretrack: any }).foretrack.operator.lease("uav1", "release"));
+  await tab("Events");
+});
 
 test("control is handed over, and STOP halts the vehicle without it", controlled, async () => {
   const other = await open(browser, address, { name: "bob" });

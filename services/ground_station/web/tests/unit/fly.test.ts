@@ -2,11 +2,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { contains, type Corner, faultOf, mapAround, toMetres, toPixel } from "../../src/fly/fence.ts";
+import type { SafetyState } from "../../src/data/messages.ts";
+import { contains, type Corner, faultOf, mapAround, scaleOf, toMetres, toPixel, zoomed,
+} from "../../src/fly/fence.ts";
 import { framingOf, framingText, free, limitsOf, presets, limits, same, sideOf } from "../../src/fly/framing.ts";
 import { checklist, isReady, reactions } from "../../src/fly/checklist.ts";
+import { boundsOf, homeOf } from "../../src/store/derive.ts";
 import { reduce } from "../../src/store/reduce.ts";
-import { diagnosticsOf, missionCommand, safety, samplesAt } from "../synthetic.mjs";
+import { diagnosticsOf, safety, samplesAt } from "../synthetic.mjs";
 import { fold, sample } from "./make.ts";
 
 const square: Corner[] = [[0, 0], [10, 0], [10, 10], [0, 10]];
@@ -34,21 +37,38 @@ test("what the gate would refuse is said before it is sent", () => {
   assert.equal(contains(square, [5, 5]), true);
 });
 
-test("bounds are known once the gate has taken them", () => {
-  const order = sample("/uav1/mission/command", 1, missionCommand(1, { id: 7n, command: 9,
-    fence_m: [0, 0, 10, 0, 10, 10], altitude_max_m: 8 }));
-  const answer = (command_id: bigint, command_result: number, at: number) =>
-    sample("/uav1/safety/state", at, safety(at, { command_id, command_result, command: 9 }));
-  const state = fold([order]);
-  const vehicle = state.vehicles.get("uav1")!;
-  assert.equal(vehicle.bounds, null);
-  fold([answer(7n, 9, 1.1)], state);
-  assert.equal(vehicle.bounds, null); // refused
-  fold([order, answer(7n, 10, 1.2)], state);
-  assert.equal(vehicle.bounds, null); // still being written
-  fold([answer(7n, 1, 1.3)], state);
-  assert.deepEqual(vehicle.bounds, { fence_m: [[0, 0], [10, 0], [10, 10]], altitude_min_m: null,
+test("bounds and return place are what the gate says, and unknown where an older one does not", () => {
+  const told = safety(1, { fence_m: [0, 0, 10, 0, 10, 10], altitude_min_m: NaN, altitude_max_m: 8,
+    home_known: true, home_m: [3, 4, 1] }) as SafetyState;
+  assert.deepEqual(boundsOf(told), { fence_m: [[0, 0], [10, 0], [10, 10]], altitude_min_m: null,
     altitude_max_m: 8 });
+  assert.deepEqual(homeOf(told), [3, 4, 1]);
+  assert.equal(homeOf({ ...told, home_known: false }), null);
+  const { fence_m, ...older } = told;
+  assert.equal(boundsOf(older), null);
+  assert.equal(boundsOf(undefined), null);
+});
+
+test("zooming keeps the middle, and the ruler has a round length that is seen", () => {
+  const map = mapAround([[0, 0], [40, 10]], 400, 300);
+  const middle = toMetres(map, [200, 150]);
+  for (const zoom of [0.2, 1, 7]) {
+    const closer = zoomed(map, zoom, 400, 300);
+    const kept = toMetres(closer, [200, 150]);
+    assert.ok(Math.hypot(kept[0] - middle[0], kept[1] - middle[1]) < 1e-9);
+    assert.ok(Math.abs(closer.scale - zoom * map.scale) < 1e-12);
+    const { metres, px } = scaleOf(closer);
+    assert.ok(px > 40 && px <= 101 && Math.abs(px - metres * closer.scale) < 1e-9, `${px}`);
+  }
+});
+
+test("an order that was refused is a warning, whatever the reason", () => {
+  for (const [command_result, severity] of [[1, "info"], [11, "info"], [9, "warning"],
+    [12, "warning"], [13, "warning"]] as const) {
+    const state = fold([sample("/uav1/safety/state", 1, safety(1)),
+      sample("/uav1/safety/state", 2, safety(2, { command_id: 7n, command: 10, command_result }))]);
+    assert.equal(state.events.at(-1)!.severity, severity, `${command_result}`);
+  }
 });
 
 test("a framing says what it is, and presets are within what the gate takes", () => {

@@ -6,6 +6,7 @@ import { Vector3 } from "three";
 
 import type { CorridorFace, LocalMap, PointCloud2 } from "../../src/data/messages.ts";
 import { stacked } from "../../src/plots/frames.ts";
+import { fenceEdges, homeEdges } from "../../src/scene/bounds.ts";
 import { polytopeEdges } from "../../src/scene/corridor.ts";
 import { blocks, voxelsOfMap, voxelsOfPoints } from "../../src/scene/voxels.ts";
 import { wallGeometry } from "../../src/scene/walls.ts";
@@ -118,4 +119,21 @@ test("a trail forgets where it was when its owner is put elsewhere", () => {
   assert.equal(trail.points.length, 1);
   trail.push(0.4, NaN, 0, 0);
   assert.equal(trail.points.length, 1);
+});
+
+test("a fence is a cage between its altitudes, and the return place lies at its middle", () => {
+  const square = { fence: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10), low_m: 2, high_m: 6,
+    home: [3, 4, 0] };
+  const edges = fenceEdges(square);
+  assert.equal(edges.length, 3 * 4 + 4);
+  assert.deepEqual([...new Set(edges.flat().map(([, , z]) => z))].sort(), [0.04, 2, 6]);
+  assert.deepEqual(edges.at(-1), [[0, 10, 2], [0, 10, 6]]);
+  assert.equal(fenceEdges({ ...square, high_m: null }).length, 4 + 4);
+  assert.deepEqual(fenceEdges({ ...square, fence: new Float64Array() }), []);
+  const ends = homeEdges(square).flat();
+  for (const axis of [0, 1] as const) {
+    const values = ends.map((point) => point[axis]);
+    assert.ok(Math.abs((Math.min(...values) + Math.max(...values)) / 2 - [3, 4][axis]!) < 1e-9);
+  }
+  assert.deepEqual(homeEdges({ ...square, home: null }), []);
 });

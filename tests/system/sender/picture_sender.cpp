@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// A vehicle's pictures for the ground and nothing else: a camera of 30 images a second that sees a
+// street pass by, and the ground stream of perception. Runs until it is killed.
+#include <CLI/CLI.hpp>
+
+#include "services/convert/camera_info.hpp"
+#include "services/onboard/perception/ground_stream.hpp"
+#include "tests/support/street.hpp"
+
+int main(int argc, char** argv) {
+  using namespace foretrack;
+  ServiceOptions options;
+  CLI::App app("pictures for the ground, of a street that passes by");
+  add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
+  Stop stop;
+  Service service("perception", options, stop);
+  GroundStream stream(service, {});
+  std::vector<RgbImage> images;
+  for (int i = 0; i < 90; ++i) images.push_back(testing::street(4.0 * i, 640, 480));
+  sensor_msgs::msg::CameraInfo info;
+  to_idl(CameraModel::from_fov(640, 480, 1.5, 1.2), 0.0, info);
+  std::size_t next = 0;
+  service.loop().every_wall(1.0 / 30.0, [&] {
+    stream.offer(images[next++ % images.size()], info, service.clock().now_s(), "camera");
+  });
+  service.run();
+}
