@@ -35,6 +35,11 @@ void put_mean(const RgbImage& image, PixelShare columns, PixelShare rows, std::u
 
 void shrink(const RgbImage& image, int width_px, RgbImage& out) {
   out.width_px = std::min(image.width_px, width_px);
+  if (out.width_px == image.width_px) {
+    out.height_px = image.height_px;
+    out.rgb = image.rgb;
+    return;
+  }
   const double scale = static_cast<double>(out.width_px) / std::max(1, image.width_px);
   out.height_px = std::max(1, static_cast<int>(std::lround(scale * image.height_px)));
   out.rgb.resize(3 * static_cast<std::size_t>(out.width_px) * out.height_px);

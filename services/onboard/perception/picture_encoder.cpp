@@ -12,7 +12,7 @@
 namespace foretrack {
 namespace {
 
-constexpr int kNice = 10;  // where both want the processor, the loop goes first
+constexpr int kNicer = 5;  // where both want the processor, the loop goes first
 
 }  // namespace
 
@@ -48,7 +48,8 @@ bool PictureEncoder::take(EncodedPicture& out) {
 }
 
 void PictureEncoder::run() {
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);  // of this thread alone
+  const auto thread = static_cast<id_t>(gettid());
+  setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + kNicer);
   Picture picture;
   EncodedPicture encoded;
   std::unique_lock lock(mutex_);
