@@ -171,6 +171,42 @@ int gather(const FleetState& state, const FleetMember& own, const TargetState& t
   return count;
 }
 
+// Of the vehicles that are not heard any more, and not yet forgotten, those whose names come before
+// all that are heard: the first part flies on as usual, the next one over it, and so on. All parts
+// come to the same order without a word.
+int layer_of(const FleetState& state, const FleetMember& own, const FleetParams& params) {
+  std::string_view first = own.vehicle.view();
+  for (const FleetPeer& peer : state.all())
+    if (peer.ours.flies && is_heard(peer, own.stamp_s, params))
+      first = std::min(first, peer.told.vehicle.view());
+  return static_cast<int>(std::ranges::count_if(state.all(), [&](const FleetPeer& peer) {
+    return peer.ours.flies && !is_heard(peer, own.stamp_s, params) &&
+           peer.told.vehicle.view() < first;
+  }));
+}
+
+bool is_parted(const FleetState& state, double now_s, const FleetParams& params) {
+  return std::ranges::any_of(state.all(), [&](const FleetPeer& peer) {
+    return peer.ours.flies && !is_heard(peer, now_s, params);
+  });
+}
+
+// The others expect it there: it keeps the seat that it had when they were heard last, on a layer
+// of its own part of the fleet.
+void keep_seat(const FleetState& state, const FleetMember& own, const FleetParams& params,
+               SeatPlace& out) {
+  if (!is_parted(state, own.stamp_s, params)) return;
+  const int layer = layer_of(state, own, params);
+  out.is_alone = false;
+  out.ring = state.is_near && layer == 0 ? SeatRing::kNear : SeatRing::kFar;
+  out.seat = state.seat;
+  out.bearing_rad = out.seat.is_none() ? 0.0 : out.seat.bearing_rad();
+  out.distance_m = out.ring == SeatRing::kNear ? params.near_m
+                   : layer == 0                ? params.far_m
+                                               : params.layer_distance_m;
+  out.height_m = layer * params.layer_m;
+}
+
 void place_seat(const FleetInput& in, const TargetState& target, const FleetParams& params,
                 FleetResult& out) {
   const FleetPart* part = out.division.part_of(in.vehicle.view());
@@ -232,6 +268,7 @@ FleetResult coordinate(FleetState& state, const FleetInput& in, const FleetParam
   const int count = gather(state, out.message, out.target, params, members);
   out.division = divide({members.data(), static_cast<std::size_t>(count)}, params);
   place_seat(in, out.target, params, out);
+  keep_seat(state, out.message, params, out.place);
   state.seat = out.place.seat;
   state.is_near = !out.place.is_alone && out.place.ring == SeatRing::kNear;
   keep_clear(state, in, out.message, params, out);

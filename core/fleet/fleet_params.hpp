@@ -14,6 +14,8 @@ struct FleetParams {
   double far_m = 3.5;      ///< wanted distance of the others
   /// the same where there is less room; no seat where there is still less
   double far_least_m = 2.6;
+  double layer_m = 2.4;           ///< from one layer to the next, of vehicles that do not hear each other
+  double layer_distance_m = 4.5;  ///< from the person on all but the lowest, to look down on them
   double separation_m = 1.0;   ///< kept between two vehicles' hulls
   double yield_m = 0.3;        ///< kept beyond it by who has to give way
   double downwash_m = 2.0;     ///< height over and under a vehicle that is kept free
