@@ -16,6 +16,8 @@ ParamRows rows(FleetParams& p) {
        "from one layer to the next, of vehicles that do not hear each other"},
       {"layer_distance_m", &p.layer_distance_m, "m", 2.0, 10.0,
        "from the person on all but the lowest, to look down on them"},
+      {"layer_change_s", &p.layer_change_s, "s", 0.5, 30.0,
+       "who is silent for so long has come to its layer"},
       {"separation_m", &p.separation_m, "m", 0.5, 10.0, "kept between two vehicles' hulls"},
       {"yield_m", &p.yield_m, "m", 0.0, 5.0, "kept beyond it by who has to give way"},
       {"downwash_m", &p.downwash_m, "m", 0.0, 10.0,

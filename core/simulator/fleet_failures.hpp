@@ -26,9 +26,8 @@ class Presence {
   void update(const Scenario& scenario, std::string_view vehicle, double time_s,
               const Vec3& place_enu_m, std::span<const Vec3> others) {
     const bool due = time_s >= failure_s(scenario, vehicle, FleetFailureKind::kJoins);
-    const bool room = std::ranges::none_of(others, [&](const Vec3& other) {
-      return distance_xy(other, place_enu_m) < kRoom_m;
-    });
+    const bool room = std::ranges::none_of(
+        others, [&](const Vec3& other) { return distance_xy(other, place_enu_m) < kRoom_m; });
     if (!joined_s_ && due && (time_s <= 0.0 || room)) joined_s_ = time_s;
     died_ = time_s >= failure_s(scenario, vehicle, FleetFailureKind::kDies);
   }
