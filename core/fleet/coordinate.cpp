@@ -171,18 +171,25 @@ int gather(const FleetState& state, const FleetMember& own, const TargetState& t
   return count;
 }
 
-// Of the vehicles that are not heard any more, and not yet forgotten, those whose names come before
-// all that are heard: the first part flies on as usual, the next one over it, and so on. All parts
-// come to the same order without a word.
+// The part of a fleet that holds more than half of those who fly, or half and the first by name,
+// stays where it is; each other part has a layer of its own, the higher the more of the silent come
+// before it by name. All parts come to that order without a word. Where one vehicle has died, all
+// others are that part.
 int layer_of(const FleetState& state, const FleetMember& own, const FleetParams& params) {
   std::string_view first = own.vehicle.view();
-  for (const FleetPeer& peer : state.all())
-    if (peer.ours.flies && is_heard(peer, own.stamp_s, params))
-      first = std::min(first, peer.told.vehicle.view());
-  return static_cast<int>(std::ranges::count_if(state.all(), [&](const FleetPeer& peer) {
-    return peer.ours.flies && !is_heard(peer, own.stamp_s, params) &&
-           peer.told.vehicle.view() < first;
-  }));
+  int heard = 1, silent = 0, before = 0;
+  for (const FleetPeer& peer : state.all()) {
+    if (!peer.ours.flies || !is_heard(peer, own.stamp_s, params)) continue;
+    first = std::min(first, peer.told.vehicle.view());
+    ++heard;
+  }
+  for (const FleetPeer& peer : state.all()) {
+    if (!peer.ours.flies || is_heard(peer, own.stamp_s, params)) continue;
+    before += peer.told.vehicle.view() < first;
+    ++silent;
+  }
+  if (heard > silent) return 0;
+  return before + (heard < silent ? 1 : 0);
 }
 
 // Somebody has just fallen silent: both sides are still on their way to their layers.
@@ -211,7 +218,7 @@ void place_layer(const FleetState& state, const FleetMember& own, const FleetPar
   out.is_alone = false;
   out.ring = SeatRing::kFar;
   if (!out.seat.is_none()) out.seat = Seat::of(out.seat.sector(), out.ring);
-  out.distance_m = params.layer_distance_m;
+  out.distance_m = params.far_m;
   out.height_m = layer * params.layer_m;
 }
 

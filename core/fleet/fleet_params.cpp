@@ -14,8 +14,6 @@ ParamRows rows(FleetParams& p) {
        "the same where there is less room; no seat where there is still less"},
       {"layer_m", &p.layer_m, "m", 0.5, 10.0,
        "from one layer to the next, of vehicles that do not hear each other"},
-      {"layer_distance_m", &p.layer_distance_m, "m", 2.0, 10.0,
-       "from the person on all but the lowest, to look down on them"},
       {"layer_change_s", &p.layer_change_s, "s", 0.5, 30.0,
        "who is silent for so long has come to its layer"},
       {"separation_m", &p.separation_m, "m", 0.5, 10.0, "kept between two vehicles' hulls"},

@@ -256,17 +256,29 @@ TEST(Coordinate, WhoeverLosesAllTheOthersHasALayerThatNobodyElseHas) {
   Fleet fleet(3);
   fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
   const auto apart = fly_apart(fleet, {0, 1, 2}, 3.0, 2.0);
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(apart[i].place.height_m, i * fleet.params.layer_m, 1e-9);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(apart[i].place.height_m, (i + 1) * fleet.params.layer_m, 1e-9);
   const double gone_s = 5.0 + fleet.params.forget_s;
   EXPECT_TRUE(fleet.step(2, gone_s).place.is_alone) << "they are forgotten";
 }
 
-TEST(Coordinate, TheSeatIsKeptWhileSomebodyIsSilent) {
+TEST(Coordinate, WhereOneOfThreeDiesTheOthersStayWhereTheyAre) {
+  for (int dead = 0; dead < 3; ++dead) {
+    Fleet fleet(3);
+    fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
+    std::vector<int> parts = {0, 0, 0};
+    parts[dead] = 1;
+    const auto left = fly_apart(fleet, parts, 3.0, 2.0);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(left[i].place.height_m > 0.0, i == dead) << dead;
+  }
+}
+
+TEST(Coordinate, TheSeatIsKeptWhileAllComeToTheirLayers) {
   Fleet fleet(3);
   const auto together = fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
   fleet.inputs[1].state.position_enu_m = {4.0, -4.0,
                                           1.5};  // from there, another one would be taken
-  const auto apart = fly_apart(fleet, {0, 1, 1}, 3.0, 2.0);
+  const auto apart = fly_apart(fleet, {0, 1, 1}, 3.0, 2.5);
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(apart[i].place.seat.sector(), together[i].place.seat.sector()) << i;
 }
