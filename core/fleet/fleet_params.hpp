@@ -19,8 +19,8 @@ struct FleetParams {
   double separation_m = 1.0;    ///< kept between two vehicles' hulls
   double yield_m = 0.3;         ///< kept beyond it by who has to give way
   double downwash_m = 2.0;      ///< height over and under a vehicle that is kept free
-  double replan_m_s2 = 3.0;     ///< with which another vehicle may leave the plan that it told
-  double replan_max_m = 0.4;    ///< and how far at most until it is silent
+  double replan_m_s2 = 5.0;     ///< with which another vehicle may leave the plan that it told
+  double replan_max_m = 0.9;    ///< and how far at most until it is silent
   double growth_m_s = 1.0;      ///< by which the place of a silent vehicle grows
   double growth_max_m = 0.75;   ///< and how far at most
   /// where another vehicle sees the person, farther from where this one does, is not believed
