@@ -171,6 +171,57 @@ int gather(const FleetState& state, const FleetMember& own, const TargetState& t
   return count;
 }
 
+// The part of a fleet that holds more than half of those who fly, or half and the first by name,
+// stays where it is; each other part has a layer of its own, the higher the more of the silent come
+// before it by name. All parts come to that order without a word. Where one vehicle has died, all
+// others are that part.
+int layer_of(const FleetState& state, const FleetMember& own, const FleetParams& params) {
+  std::string_view first = own.vehicle.view();
+  int heard = 1, silent = 0, before = 0;
+  for (const FleetPeer& peer : state.all()) {
+    if (!peer.ours.flies || !is_heard(peer, own.stamp_s, params)) continue;
+    first = std::min(first, peer.told.vehicle.view());
+    ++heard;
+  }
+  for (const FleetPeer& peer : state.all()) {
+    if (!peer.ours.flies || is_heard(peer, own.stamp_s, params)) continue;
+    before += peer.told.vehicle.view() < first;
+    ++silent;
+  }
+  if (heard > silent) return 0;
+  return before + (heard < silent ? 1 : 0);
+}
+
+// Somebody has just fallen silent: both sides are still on their way to their layers.
+bool is_just_parted(const FleetState& state, double now_s, const FleetParams& params) {
+  return std::ranges::any_of(state.all(), [&](const FleetPeer& peer) {
+    return peer.ours.flies && !is_heard(peer, now_s, params) &&
+           now_s - peer.heard_s < params.layer_change_s;
+  });
+}
+
+// The others expect it in the seat that it had when they were heard last.
+void keep_seat(const FleetState& state, const FleetParams& params, SeatPlace& out) {
+  out.is_alone = false;
+  out.ring = state.is_near ? SeatRing::kNear : SeatRing::kFar;
+  out.seat = state.seat;
+  out.bearing_rad = out.seat.is_none() ? 0.0 : out.seat.bearing_rad();
+  out.distance_m = state.is_near ? params.near_m : params.far_m;
+}
+
+// While somebody is silent, the part of the fleet that is heard flies on by itself, on its layer.
+void place_layer(const FleetState& state, const FleetMember& own, const FleetParams& params,
+                 SeatPlace& out) {
+  if (is_just_parted(state, own.stamp_s, params)) keep_seat(state, params, out);
+  const int layer = layer_of(state, own, params);
+  if (layer == 0) return;
+  out.is_alone = false;
+  out.ring = SeatRing::kFar;
+  if (!out.seat.is_none()) out.seat = Seat::of(out.seat.sector(), out.ring);
+  out.distance_m = params.far_m;
+  out.height_m = layer * params.layer_m;
+}
+
 void place_seat(const FleetInput& in, const TargetState& target, const FleetParams& params,
                 FleetResult& out) {
   const FleetPart* part = out.division.part_of(in.vehicle.view());
@@ -201,7 +252,8 @@ void keep_clear(const FleetState& state, const FleetInput& in, const FleetMember
                         .person = &out.target};
     MovingBody follows;
     out.peers.add(peer_body(peer.ours, view, params));
-    if (out.target.usable() && following_body(peer.ours, view, params, follows))
+    const bool may_follow = in.now_s - peer.heard_s < params.layer_change_s;
+    if (may_follow && out.target.usable() && following_body(peer.ours, view, params, follows))
       out.peers.add(follows);
     const double apart_m = (peer.ours.position_enu_m - own.position_enu_m).norm();
     out.separation_m = std::min(out.separation_m, apart_m - own.radius_m - peer.ours.radius_m);
@@ -232,6 +284,7 @@ FleetResult coordinate(FleetState& state, const FleetInput& in, const FleetParam
   const int count = gather(state, out.message, out.target, params, members);
   out.division = divide({members.data(), static_cast<std::size_t>(count)}, params);
   place_seat(in, out.target, params, out);
+  place_layer(state, out.message, params, out.place);
   state.seat = out.place.seat;
   state.is_near = !out.place.is_alone && out.place.ring == SeatRing::kNear;
   keep_clear(state, in, out.message, params, out);

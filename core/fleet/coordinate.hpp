@@ -36,6 +36,9 @@ struct SeatPlace {
   Seat seat;                 ///< none: in any direction
   double bearing_rad = 0.0;  ///< of the vehicle from the person, world; with a seat
   double distance_m = 0.0;
+  /// Over the torso's centre; 0: as usual. Where vehicles do not hear each other, each part of the
+  /// fleet has a layer of its own.
+  double height_m = 0.0;
 };
 
 struct FleetResult {

@@ -14,13 +14,15 @@ struct FleetParams {
   double far_m = 3.5;      ///< wanted distance of the others
   /// the same where there is less room; no seat where there is still less
   double far_least_m = 2.6;
-  double separation_m = 1.0;   ///< kept between two vehicles' hulls
-  double yield_m = 0.3;        ///< kept beyond it by who has to give way
-  double downwash_m = 2.0;     ///< height over and under a vehicle that is kept free
-  double replan_m_s2 = 3.0;    ///< with which another vehicle may leave the plan that it told
-  double replan_max_m = 0.4;   ///< and how far at most until it is silent
-  double growth_m_s = 1.0;     ///< by which the place of a silent vehicle grows
-  double growth_max_m = 0.75;  ///< and how far at most
+  double layer_m = 1.8;  ///< from one layer to the next, of vehicles that do not hear each other
+  double layer_change_s = 4.0;  ///< who is silent for so long has come to its layer
+  double separation_m = 1.0;    ///< kept between two vehicles' hulls
+  double yield_m = 0.3;         ///< kept beyond it by who has to give way
+  double downwash_m = 2.0;      ///< height over and under a vehicle that is kept free
+  double replan_m_s2 = 5.0;     ///< with which another vehicle may leave the plan that it told
+  double replan_max_m = 0.9;    ///< and how far at most until it is silent
+  double growth_m_s = 1.0;      ///< by which the place of a silent vehicle grows
+  double growth_max_m = 0.75;   ///< and how far at most
   /// where another vehicle sees the person, farther from where this one does, is not believed
   double gate_mahalanobis = 4.0;
   double liar_s = 1.0;             ///< after so long it is called a liar

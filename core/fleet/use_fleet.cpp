@@ -14,6 +14,7 @@ Framing framing_of(const Framing& ordered, const SeatPlace& place, const FleetPa
   Framing framing = ordered;
   framing.is_seat = true;
   if (place.ring == SeatRing::kFar) framing.distance_m = place.distance_m;
+  if (place.height_m > 0.0) framing.height_m = place.height_m;
   if (!place.seat.is_none() && params.directions) framing.bearing_enu_rad = place.bearing_rad;
   return framing;
 }

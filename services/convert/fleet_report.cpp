@@ -94,6 +94,7 @@ void to_idl(const FleetReport& in, msg::FleetDivision& out) {
   out.is_near(in.place.ring == SeatRing::kNear);
   out.bearing_rad(in.place.bearing_rad);
   out.distance_m(in.place.distance_m);
+  out.height_m(in.place.height_m);
   write_intentions(in.division.intentions, in.division.intention_count, out.intentions());
   write_parts(in.division, out);
   out.union_visibility(in.division.union_visibility);
@@ -117,6 +118,7 @@ Converted<FleetReport> from_idl(const msg::FleetDivision& in) {
   check_seat(checks, in.seat());
   checks.within("bearing_rad", in.bearing_rad(), limits::kAngle_rad);
   checks.in_range("distance_m", in.distance_m(), 0.0, limits::kPosition_m);
+  checks.in_range("height_m", in.height_m(), 0.0, limits::kPosition_m);
   checks.in_range("union_visibility", in.union_visibility(), 0.0, 1.0 + limits::kSumTolerance);
   checks.within("separation_m", in.separation_m(), limits::kPosition_m);
   const FleetPlaces told = read_intentions(checks, in.intentions(), out.division.intentions,
@@ -131,6 +133,7 @@ Converted<FleetReport> from_idl(const msg::FleetDivision& in) {
   out.place.ring = in.is_near() ? SeatRing::kNear : SeatRing::kFar;
   out.place.bearing_rad = in.bearing_rad();
   out.place.distance_m = in.distance_m();
+  out.place.height_m = in.height_m();
   out.division.union_visibility = in.union_visibility();
   out.separation_m = in.separation_m();
   return checks.result(out);

@@ -48,6 +48,7 @@ void SimulatorService::add_vehicles(Service& service) {
   const Person person =
       make_person(scenario_.target.person, walk_of(scenario_, world), world.min_m.z());
   const std::vector<Vec3> starts = fleet_starts(scenario_, world, person);
+  presences_.resize(starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) {
     Scenario one = scenario_of(scenario_, i, starts[i], person);
     one.autopilot.system_id = px4_system_of(i);
@@ -78,8 +79,7 @@ bool SimulatorService::people_wait() const {
 }
 
 bool SimulatorService::is_there(std::size_t vehicle) const {
-  return scenario_.vehicles.empty() ||
-         is_there_at(scenario_, scenario_.vehicles[vehicle].name, now_s_ - people_set_off_s_);
+  return scenario_.vehicles.empty() || presences_[vehicle].is_there();
 }
 
 void SimulatorService::step() {
@@ -100,9 +100,13 @@ void SimulatorService::step(std::size_t vehicle) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i)
     if (i != vehicle && is_there(i))
       state.peers_enu_m.push_back(vehicles_[i]->state().quadrotor.vehicle.position_enu_m);
-  if (!scenario_.vehicles.empty())
-    state.blind = now_s_ - people_set_off_s_ >=
-                  failure_s(scenario_, scenario_.vehicles[vehicle].name, FleetFailureKind::kBlind);
+  if (!scenario_.vehicles.empty()) {
+    const std::string& name = scenario_.vehicles[vehicle].name;
+    const double since_s = now_s_ - people_set_off_s_;
+    state.blind = since_s >= failure_s(scenario_, name, FleetFailureKind::kBlind);
+    presences_[vehicle].update(scenario_, name, since_s, state.quadrotor.vehicle.position_enu_m,
+                               state.peers_enu_m);
+  }
   vehicles_[vehicle]->step(kStep_s, is_there(vehicle));
 }
 

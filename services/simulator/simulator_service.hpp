@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/simulator/fleet_failures.hpp"
 #include "rosgraph_msgs/msg/Clock.h"
 #include "services/simulator/simulated_vehicle.hpp"
 
@@ -52,6 +53,7 @@ class SimulatorService {
 
   std::vector<std::unique_ptr<Node>> nodes_;  // of all vehicles but the first
   std::vector<std::unique_ptr<SimulatedVehicle>> vehicles_;
+  std::vector<Presence> presences_;  // of a fleet's
   Writer<topics::Clock> clock_;
 };
 

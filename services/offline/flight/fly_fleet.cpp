@@ -22,6 +22,7 @@ struct Flyer {
   AutopilotInput command;
   Inbox<FleetMember> inbox;
   std::vector<FleetMember> heard;
+  Presence presence;
   int seat = -1;
   bool is_near = false;
 };
@@ -48,7 +49,8 @@ class FlyingFleet {
            .result = {.scenario = one, .world = world, .rows = {}, .metrics = {}, .plan_ms = {}},
            .command = {},
            .inbox = {},
-           .heard = {}});
+           .heard = {},
+           .presence = {}});
     }
   }
 
@@ -62,14 +64,21 @@ class FlyingFleet {
   }
 
  private:
-  bool is_there(const Flyer& f) const { return is_there_at(scenario_, f.name, now_s_); }
+  void find_peers(Flyer& f) const {
+    f.simulator.peers_enu_m.clear();
+    for (const Flyer& other : flyers_)
+      if (&other != &f && other.presence.is_there())
+        f.simulator.peers_enu_m.push_back(other.simulator.quadrotor.vehicle.position_enu_m);
+  }
 
   void advance() {
     for (Flyer& f : flyers_) {
-      f.simulator.peers_enu_m.clear();
-      for (const Flyer& other : flyers_)
-        if (&other != &f && is_there(other))
-          f.simulator.peers_enu_m.push_back(other.simulator.quadrotor.vehicle.position_enu_m);
+      find_peers(f);
+      f.presence.update(scenario_, f.name, now_s_, f.simulator.quadrotor.vehicle.position_enu_m,
+                        f.simulator.peers_enu_m);
+    }
+    for (Flyer& f : flyers_) {
+      find_peers(f);
       f.simulator.blind = now_s_ >= failure_s(scenario_, f.name, FleetFailureKind::kBlind);
       simulate(f.simulator, f.command, options_.step_s);
     }
@@ -87,7 +96,7 @@ class FlyingFleet {
     f.command = AutopilotInput{};
     f.heard.clear();
     f.inbox.deliver(now_s_, [&](const FleetMember& message) { f.heard.push_back(message); });
-    if (!is_there(f)) return;
+    if (!f.presence.is_there()) return;
     const FleetLink link{.vehicle = f.name, .frame = "map", .heard = f.heard};
     const double lands_s = failure_s(scenario_, f.name, FleetFailureKind::kLands);
     const bool lands = now_s_ >= lands_s && now_s_ < lands_s + options_.step_s;
@@ -121,7 +130,7 @@ class FlyingFleet {
     const FlightRow& row = f.result.rows.back();
     const bool lands = now_s_ >= failure_s(scenario_, f.name, FleetFailureKind::kLands);
     const bool blind = now_s_ >= failure_s(scenario_, f.name, FleetFailureKind::kBlind);
-    return {.there = is_there(f) && !lands,
+    return {.there = f.presence.is_there() && !lands,
             .position_enu_m = row.vehicle.position_enu_m,
             .sees = row.sight.visible() && !blind,
             .peer_hides = peer_hides(f, row),
@@ -132,8 +141,11 @@ class FlyingFleet {
 
   // What it does before it joins and after it died is nobody's flight.
   void keep_rows_there(Flyer& f) const {
-    std::erase_if(f.result.rows,
-                  [&](const FlightRow& row) { return !is_there_at(scenario_, f.name, row.now_s); });
+    const double joined_s = f.presence.joined_s().value_or(1e18);
+    const double dies_s = failure_s(scenario_, f.name, FleetFailureKind::kDies);
+    std::erase_if(f.result.rows, [&](const FlightRow& row) {
+      return row.now_s < joined_s || row.now_s >= dies_s;
+    });
   }
 
   FleetFlight finish() {

@@ -215,6 +215,74 @@ TEST(Coordinate, WhoIsSilentGetsNoSeatAndIsKeptClearOf) {
   EXPECT_EQ(fleet.step(0, 30.0).peers.count, 0) << "gone";
 }
 
+// All step ten times a second; who is in one part (a number each) hears each other.
+std::vector<FleetResult> fly_apart(Fleet& fleet, const std::vector<int>& parts, double from_s,
+                                   double for_s) {
+  const int count = static_cast<int>(parts.size());
+  std::vector<FleetResult> results(parts.size());
+  for (double now_s = from_s; now_s < from_s + for_s; now_s += 0.1)
+    for (int i = 0; i < count; ++i) {
+      results[i] = fleet.step(i, now_s);
+      for (int to = 0; to < count; ++to)
+        if (parts[i] == parts[to]) fleet.tell(i, to, results[i].message, now_s);
+    }
+  return results;
+}
+
+TEST(Coordinate, PartsThatDoNotHearEachOtherFlyOnLayersOfTheirOwn) {
+  constexpr int kCount = 4;
+  for (int split = 1; split < (1 << kCount) - 1; ++split) {
+    Fleet fleet(kCount);
+    fly_apart(fleet, {0, 0, 0, 0}, 1.0, 2.0);
+    std::vector<int> parts;
+    for (int i = 0; i < kCount; ++i) parts.push_back(split >> i & 1);
+    const auto apart = fly_apart(fleet, parts, 3.0, 2.0);
+    for (int a = 0; a < kCount; ++a) {
+      EXPECT_FALSE(apart[a].place.is_alone) << split;
+      for (int b = 0; b < a; ++b)
+        if (parts[a] == parts[b])
+          EXPECT_EQ(apart[a].place.height_m, apart[b].place.height_m) << split;
+        else
+          EXPECT_GE(std::abs(apart[a].place.height_m - apart[b].place.height_m),
+                    fleet.params.layer_m - 1e-9)
+              << split;
+    }
+    for (const FleetResult& r : fly_apart(fleet, {0, 0, 0, 0}, 5.0, 1.0))
+      EXPECT_EQ(r.place.height_m, 0.0) << "they hear each other again";
+  }
+}
+
+TEST(Coordinate, WhoeverLosesAllTheOthersHasALayerThatNobodyElseHas) {
+  Fleet fleet(3);
+  fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
+  const auto apart = fly_apart(fleet, {0, 1, 2}, 3.0, 2.0);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(apart[i].place.height_m, (i + 1) * fleet.params.layer_m, 1e-9);
+  const double gone_s = 5.0 + fleet.params.forget_s;
+  EXPECT_TRUE(fleet.step(2, gone_s).place.is_alone) << "they are forgotten";
+}
+
+TEST(Coordinate, WhereOneOfThreeDiesTheOthersStayWhereTheyAre) {
+  for (int dead = 0; dead < 3; ++dead) {
+    Fleet fleet(3);
+    fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
+    std::vector<int> parts = {0, 0, 0};
+    parts[dead] = 1;
+    const auto left = fly_apart(fleet, parts, 3.0, 2.0);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(left[i].place.height_m > 0.0, i == dead) << dead;
+  }
+}
+
+TEST(Coordinate, TheSeatIsKeptWhileAllComeToTheirLayers) {
+  Fleet fleet(3);
+  const auto together = fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
+  fleet.inputs[1].state.position_enu_m = {4.0, -4.0,
+                                          1.5};  // from there, another one would be taken
+  const auto apart = fly_apart(fleet, {0, 1, 1}, 3.0, 2.5);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(apart[i].place.seat.sector(), together[i].place.seat.sector()) << i;
+}
+
 TEST(Coordinate, ThePlanThatIsToldIsWhatIsLeftOfIt) {
   Fleet fleet(1);
   PlannedTrajectory plan;

@@ -44,6 +44,13 @@ TEST(FramingOfAFleet, TheNearOneKeepsItsDistanceTheOthersTakeTheirs) {
   EXPECT_EQ(framing_of({}, place(SeatRing::kFar), {}).distance_m, 3.5);
 }
 
+TEST(FramingOfAFleet, ALayerIsAHeight) {
+  SeatPlace place{.is_alone = false, .ring = SeatRing::kFar, .distance_m = 4.5};
+  EXPECT_TRUE(std::isnan(framing_of({}, place, {}).height_m)) << "as usual";
+  place.height_m = 2.4;
+  EXPECT_EQ(framing_of({}, place, {}).height_m, 2.4);
+}
+
 TEST(FramingOfAFleet, AnOperatorsOrderComesFirst) {
   Framing ordered;
   ordered.height_m = 1.0;
