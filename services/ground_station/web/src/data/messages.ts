@@ -284,7 +284,6 @@ export interface DiagnosticArray { header: Header; status: DiagnosticStatus[] }
 
 export interface VehicleLocalPosition {
   xy_global: boolean;
-  ref_timestamp: bigint;
   ref_lat: number;
   ref_lon: number;
 }

@@ -31,7 +31,7 @@ export function toWgs84(origin: Wgs84, [east_m, north_m]: Metres): Wgs84 {
 /** Of the world frame, which is the flight controller's; null: it knows no global position. */
 export function originOf(vehicle: Vehicle | undefined): Wgs84 | null {
   const local = vehicle?.latest["fmu/out/vehicle_local_position"]?.message;
-  if (!local?.xy_global || Number(local.ref_timestamp) === 0) return null;
+  if (!local?.xy_global) return null;
   return { lat_deg: local.ref_lat, lon_deg: local.ref_lon };
 }
 
