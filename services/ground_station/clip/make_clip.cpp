@@ -130,8 +130,10 @@ class Cutter {
                              span.first_s, span.last_s);
     if (!wish_.vehicle.empty() && it == spans_.end())
       return fmt::format("there are no pictures of {}: there are {}", wish_.vehicle, there);
-    return fmt::format("there is no picture from {:g} to {:g} s: there are {}", wish_.from_s,
-                       wish_.to_s, there);
+    const std::string asked = std::isinf(wish_.to_s)
+                                  ? fmt::format("after {:g} s", wish_.from_s)
+                                  : fmt::format("from {:g} to {:g} s", wish_.from_s, wish_.to_s);
+    return fmt::format("there is no picture {}: there are {}", asked, there);
   }
 
   mcap::Reader reader_;

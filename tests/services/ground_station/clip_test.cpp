@@ -167,6 +167,9 @@ TEST_F(ClipTest, WhereThereIsNoneTheReasonSaysWhatThereIs) {
   EXPECT_THAT(why_not({}, {}), HasSubstr("there are no pictures in it"));
   EXPECT_EQ(why_not(walk(), {.vehicle = {}, .from_s = 100.0, .to_s = 110.0}),
             "there is no picture from 100 to 110 s: there are of uav1 from 1.0 to 18.6 s");
+  ClipWish late;
+  late.from_s = 100.0;
+  EXPECT_THAT(why_not(walk(), late), HasSubstr("no picture after 100 s: there are of uav1"));
   EXPECT_THAT(why_not({{"uav1", 0.0, street(0, 64, 48)}, {"uav1", 700.0, street(0, 64, 48)}}, {}),
               HasSubstr("at most 600 s"));
   std::ofstream(folder_.path / "no.mcap") << "no recording";

@@ -16,13 +16,15 @@ int main(int argc, char** argv) {
   Stop stop;
   Service service("perception", options, stop);
   GroundStream stream(service, {});
+  constexpr int kTurn = 20;  // images until it passes by backwards
   std::vector<RgbImage> images;
-  for (int i = 0; i < 90; ++i) images.push_back(testing::street(4.0 * i, 640, 480));
+  for (int i = 0; i <= kTurn; ++i) images.push_back(testing::street(4.0 * i, 640, 480));
   sensor_msgs::msg::CameraInfo info;
   to_idl(CameraModel::from_fov(640, 480, 1.5, 1.2), 0.0, info);
-  std::size_t next = 0;
+  int next = 0;
   service.loop().every_wall(1.0 / 30.0, [&] {
-    stream.offer(images[next++ % images.size()], info, service.clock().now_s(), "camera");
+    const int i = next++ % (2 * kTurn);
+    stream.offer(images[i < kTurn ? i : 2 * kTurn - i], info, service.clock().now_s(), "camera");
   });
   service.run();
 }
