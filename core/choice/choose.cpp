@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/choice/meets.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -11,8 +13,6 @@ constexpr double kLikenessScale = 0.2;
 constexpr double kRestart_s = 1.0;   // time that goes back: a simulation was started anew
 constexpr double kStepsShare = 0.2;  // of a look, in the mean over the looks since they parted
 constexpr double kLately_s = 1.0;    // somebody who was not seen for longer is not there
-constexpr double kInLine_rad = 0.12;
-constexpr double kInLine_m = 3.0;  // farther before or behind, nobody looks as tall
 
 /// Everybody around, with what images show of them.
 struct Others {
@@ -40,20 +40,13 @@ void add(ChoiceResult& out, const ChoiceCandidate& candidate) {
   out.candidates[at] = candidate;
 }
 
-// They stand side by side, or one before the other as the vehicle sees them.
-bool meets(const MovingBody& person, const MovingBody& other, const Vec3& vehicle_enu_m,
-           double meet_m) {
-  const Vec2 to_person = (person.position_enu_m - vehicle_enu_m).head<2>();
-  const Vec2 to_other = (other.position_enu_m - vehicle_enu_m).head<2>();
-  const double apart_m = (to_person - to_other).norm();
-  if (apart_m <= meet_m) return true;
-  return apart_m <= kInLine_m &&
-         std::abs(wrap_angle(yaw_of(to_person) - yaw_of(to_other))) <= kInLine_rad;
+template <std::size_t kSize>
+bool is_among(const std::array<std::uint32_t, kSize>& ids, int count, std::uint32_t id) {
+  return std::find(ids.begin(), ids.begin() + count, id) != ids.begin() + count;
 }
 
 void meet(ChoiceState& s, std::uint32_t id) {
-  const auto end = s.met.begin() + s.met_count;
-  if (std::find(s.met.begin(), end, id) == end && s.met_count < ChoiceState::kMostMet)
+  if (!is_among(s.met, s.met_count, id) && s.met_count < ChoiceState::kMostMet)
     s.met[s.met_count++] = id;
 }
 
@@ -61,10 +54,6 @@ void forget_meeting(ChoiceState& s) {
   s.met_count = s.doubtful_looks = 0;
   s.asked_s = -1.0;
   s.seen.reset();
-}
-
-bool was_met(const ChoiceState& s, std::uint32_t id) {
-  return std::find(s.met.begin(), s.met.begin() + s.met_count, id) != s.met.begin() + s.met_count;
 }
 
 // What is seen of who is followed now, averaged.
@@ -115,7 +104,9 @@ double list_candidates(const ChoiceState& s, const Others& others, const ChoiceP
   add(out, candidate_of(others.body(0), own));
   for (int i = 1; i < others.in.bodies.count; ++i) {
     const PersonLook* look = others.look(i);
-    if (!others.is_person(i) || !was_met(s, others.body(i).id) || !look || !look->wears) continue;
+    if (!others.is_person(i) || !is_among(s.met, s.met_count, others.body(i).id) || !look ||
+        !look->wears)
+      continue;
     const double theirs = lasting_difference(*look->wears, *s.wears);
     if (theirs <= p.alike && theirs <= own + p.tell_apart)
       add(out, candidate_of(others.body(i), theirs));
@@ -135,18 +126,35 @@ void tell_apart(ChoiceState& s, const Others& others, const ChoiceParams& p, Cho
   out.count = 0;
 }
 
-// Whether somebody is with them now who may be taken for them.
+// Who is away from them now, and those of before who are still there.
+void note_who_is_apart(ChoiceState& s, const Others& others, const ChoiceParams& p) {
+  auto apart = s.apart;
+  int count = 0;
+  for (int i = 1; i < others.in.bodies.count; ++i)
+    if (others.is_person(i) &&
+        (is_among(s.apart, s.apart_count, others.body(i).id) ||
+         !meets(others.body(0), others.body(i), others.in.vehicle_enu_m, p.meet_m)))
+      apart[count++] = others.body(i).id;
+  s.apart = apart;
+  s.apart_count = count;
+}
+
+// Whether somebody is with them now who may be taken for them. Who was never seen apart from them
+// may have been them: the track may have gone on with the other one before anybody saw two.
 bool notice_meetings(ChoiceState& s, const Others& others, const ChoiceParams& p) {
-  bool together = false;
+  bool together = false, comes_from_nowhere = false;
   for (int i = 1; i < others.in.bodies.count; ++i) {
     if (!others.is_person(i) ||
         !meets(others.body(0), others.body(i), others.in.vehicle_enu_m, p.meet_m))
       continue;
     meet(s, others.body(i).id);
     together = true;
+    comes_from_nowhere |= !is_among(s.apart, s.apart_count, others.body(i).id);
   }
+  note_who_is_apart(s, others, p);
   if (!together) return false;
   if (others.in.doubtful) ++s.doubtful_looks;
+  if (comes_from_nowhere) s.doubtful_looks = std::max(s.doubtful_looks, p.doubtful_looks);
   s.parted_s = others.in.now_s;
   s.seen.reset();
   return true;

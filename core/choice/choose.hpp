@@ -54,9 +54,11 @@ struct ChoiceState {
   int met_count = 0;
   std::array<std::uint32_t, kMostMet> met{};  ///< who may be taken for them
   int doubtful_looks = 0;                     ///< while they were together
-  double parted_s = -1e9;                     ///< from the last of them
-  double asked_s = -1.0;                      ///< the operator, since then; < 0: not asked
-  double lost_s = -1.0;                       ///< since then; < 0: not lost
+  int apart_count = 0;
+  std::array<std::uint32_t, kMostWatched> apart{};  ///< others who were seen away from them
+  double parted_s = -1e9;                           ///< from the last of them
+  double asked_s = -1.0;                            ///< the operator, since then; < 0: not asked
+  double lost_s = -1.0;                             ///< since then; < 0: not lost
   int watched_count = 0;
   std::array<Watched, kMostWatched> watched{};
 };
@@ -94,12 +96,12 @@ struct ChoiceResult {
 ///
 /// While the person is followed and nobody is near, what they wear is learnt slowly. Whoever comes
 /// near them, or into line with them as seen from the vehicle, may be taken for them: if images
-/// leave a doubt meanwhile, all are compared once they have parted. Who is clearly more like the
-/// person is followed; who is as like is a candidate, and the operator is asked. While the person
-/// is lost, everybody who is seen is compared with what is remembered of them, however long ago.
-/// An answer is an order to follow one of them. Without one, the likeliest is followed after
-/// wait_s, or the vehicle holds on, as the parameters say. Without images nobody can be compared,
-/// and nothing is asked. Cost: some microseconds.
+/// leave a doubt meanwhile, or nobody saw them come, all are compared once they have parted. Who is
+/// clearly more like the person is followed; who is as like is a candidate, and the operator is
+/// asked. While the person is lost, everybody who is seen is compared with what is remembered of
+/// them, however long ago. An answer is an order to follow one of them. Without one, the likeliest
+/// is followed after wait_s, or the vehicle holds on, as the parameters say. Without images nobody
+/// can be compared, and nothing is asked. Cost: some microseconds.
 ChoiceResult choose(ChoiceState& state, const ChoiceInput& input, const ChoiceParams& params);
 
 /// 1 for no difference, 0.5 for one of 0.24.

@@ -236,7 +236,7 @@ std::function<int()> prepare_bench(CLI::App& app) {
                  "seeds a world (real_tracks: pedestrians, identity: events) instead of the usual")
       ->check(CLI::Range(1, 100000));
   app.add_option("--seed", q.seed,
-                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 43001, "
+                 "the first seed; missing: 5001, encounters 20001, search 31001, identity 45001, "
                  "fleet 51001")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
   app.add_option("--methods", o->methods,

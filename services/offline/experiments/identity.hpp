@@ -34,7 +34,7 @@ struct IdentityCell {
 
 struct IdentityRequest {
   int events = 516;
-  std::uint64_t seed = 43001;
+  std::uint64_t seed = 45001;
   ChoiceParams params;
   std::function<bool(int done)> goes_on = {};  ///< false: no more events
 };

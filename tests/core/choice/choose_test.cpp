@@ -117,9 +117,30 @@ TEST(Choose, WhatIsRememberedFollowsTheLightSlowly) {
 TEST(Choose, SomebodyElseNearIsNoDoubtWhileTheImagesLeaveNone) {
   Street street;
   street.run(2.0);
-  street.meet(kBob, 0.5, 0.0);
+  street.people.push_back({kBob, {3, 3, 0}, 0.5});
+  street.run(0.5);
+  for (const double y_m : {0.5, 3.0}) {  // is seen to come, and to go
+    street.person(kBob).place_enu_m.y() = y_m;
+    EXPECT_EQ(street.run(3.0).status, ChoiceStatus::kFollowing);
+    EXPECT_EQ(street.last.count, 0);
+  }
+}
+
+TEST(Choose, WhoIsSuddenlyBesideThemAndAlikeMayBeThem) {
+  Street street;
+  street.run(2.0);
+  street.meet(kBob, 0.5, 0.0);  // images leave no doubt: nobody saw two
+  EXPECT_EQ(street.run(3.0).status, ChoiceStatus::kDoubtful);
+  EXPECT_EQ(street.last.count, 2);
+}
+
+TEST(Choose, WhoIsSuddenlyBesideThemInOtherClothesIsNot) {
+  Street street;
+  street.run(2.0);
+  street.meet(kBob, 1.2, 0.0);
   EXPECT_EQ(street.run(3.0).status, ChoiceStatus::kFollowing);
   EXPECT_EQ(street.last.count, 0);
+  EXPECT_TRUE(street.person(kAda).followed);
 }
 
 TEST(Choose, AfterADoubtOtherClothesTellThemApart) {
