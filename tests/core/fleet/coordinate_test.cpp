@@ -275,12 +275,14 @@ TEST(Coordinate, WhereOneOfThreeDiesTheOthersStayWhereTheyAre) {
 
 TEST(Coordinate, TheSeatIsKeptWhileAllComeToTheirLayers) {
   Fleet fleet(3);
-  const auto together = fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
-  fleet.inputs[1].state.position_enu_m = {4.0, -4.0,
-                                          1.5};  // from there, another one would be taken
-  const auto apart = fly_apart(fleet, {0, 1, 1}, 3.0, 2.5);
+  fly_apart(fleet, {0, 0, 0}, 1.0, 2.0);
+  const auto parted = fly_apart(fleet, {0, 1, 1}, 3.0, 1.5);
+  fleet.inputs[1].state.position_enu_m = {4.0, -4.0, 1.5};  // from there, another one is better
+  const auto kept = fly_apart(fleet, {0, 1, 1}, 4.5, 1.0);
   for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(apart[i].place.seat.sector(), together[i].place.seat.sector()) << i;
+    EXPECT_EQ(kept[i].place.seat.sector(), parted[i].place.seat.sector()) << i;
+  const auto there = fly_apart(fleet, {0, 1, 1}, 5.5, 4.0);
+  EXPECT_NE(there[1].place.seat.sector(), parted[1].place.seat.sector());
 }
 
 TEST(Coordinate, ThePlanThatIsToldIsWhatIsLeftOfIt) {

@@ -45,7 +45,9 @@ TEST(FramingOfAFleet, TheNearOneKeepsItsDistanceTheOthersTakeTheirs) {
 }
 
 TEST(FramingOfAFleet, ALayerIsAHeight) {
-  SeatPlace place{.is_alone = false, .ring = SeatRing::kFar, .distance_m = 4.5};
+  SeatPlace place;
+  place.is_alone = false;
+  place.ring = SeatRing::kFar;
   EXPECT_TRUE(std::isnan(framing_of({}, place, {}).height_m)) << "as usual";
   place.height_m = 2.4;
   EXPECT_EQ(framing_of({}, place, {}).height_m, 2.4);

@@ -12,11 +12,11 @@
 namespace foretrack {
 namespace {
 
-constexpr double kHeight_m = 1.75, kSeen = 0.5;
+constexpr double kAdult_m = 1.75, kVisible = 0.5;
 
 /// Somebody on their feet before a camera, and how tall the image shows them to be.
 struct Sight {
-  CameraModel camera;
+  CameraModel camera = {};
   double away_m = 4.0, camera_m = 1.5, ground_m = 0.0, noise_px = 0.0;
   double stride_rad = 0.0, speed_m_s = 0.0, body_yaw_rad = 2.0;
   std::uint64_t seed = 1;
@@ -31,9 +31,10 @@ struct Sight {
     Random random(seed);
     std::array<Landmark, kLandmarkCount> marks{};
     for (int k = 0; k < kLandmarkCount; ++k)
-      if (const auto px = camera.project(T_world_camera().inverse() * joints[k]))
-        marks[k] = {
-            *px + noise_px * Vec2(random.normal(0.0, 1.0), random.normal(0.0, 1.0)), {}, 1.0};
+      if (const auto px = camera.project(T_world_camera().inverse() * joints[k])) {
+        marks[k].image_px = *px + noise_px * Vec2(random.normal(0.0, 1.0), random.normal(0.0, 1.0));
+        marks[k].visibility = 1.0;
+      }
     return marks;
   }
   Pose T_world_camera() const {
@@ -41,8 +42,8 @@ struct Sight {
     vehicle.position_enu_m = {0.0, 0.0, ground_m + camera_m};
     return vehicle.T_world_body() * camera.T_body_camera;
   }
-  std::optional<double> measured(double height_m = kHeight_m) const {
-    return measure_height(landmarks(height_m), camera, T_world_camera(), ground_m, kSeen);
+  std::optional<double> measured(double height_m = kAdult_m) const {
+    return measure_height(landmarks(height_m), camera, T_world_camera(), ground_m, kVisible);
   }
 };
 
@@ -68,9 +69,9 @@ TEST(MeasureHeight, WalkingAndNoiseChangeItByLittle) {
                                 .measured();
       ASSERT_TRUE(measured);
       sum += *measured / kLooks;
-      worst = std::max(worst, std::abs(*measured - kHeight_m));
+      worst = std::max(worst, std::abs(*measured - kAdult_m));
     }
-    EXPECT_NEAR(sum, kHeight_m, 0.05) << away_m;
+    EXPECT_NEAR(sum, kAdult_m, 0.05) << away_m;
     EXPECT_LT(worst, 0.25) << away_m;
   }
 }
@@ -78,18 +79,19 @@ TEST(MeasureHeight, WalkingAndNoiseChangeItByLittle) {
 TEST(MeasureHeight, CountsFromTheGroundThatItIsTold) {
   Sight sight{.ground_m = 30.0};
   ASSERT_TRUE(sight.measured());
-  EXPECT_NEAR(*sight.measured(), kHeight_m, 0.06);
-  const auto marks = sight.landmarks(kHeight_m);
-  EXPECT_FALSE(measure_height(marks, sight.camera, sight.T_world_camera(), 32.0, kSeen))
+  EXPECT_NEAR(*sight.measured(), kAdult_m, 0.06);
+  const auto marks = sight.landmarks(kAdult_m);
+  EXPECT_FALSE(measure_height(marks, sight.camera, sight.T_world_camera(), 32.0, kVisible))
       << "the camera would be below the ground";
 }
 
 TEST(MeasureHeight, SaysNothingWithoutHeelsOrEarsOrFromTooFlat) {
   Sight sight;
   for (const int unseen : {7, 8, 29, 30}) {
-    auto marks = sight.landmarks(kHeight_m);
+    auto marks = sight.landmarks(kAdult_m);
     marks[unseen].visibility = 0.2;
-    EXPECT_FALSE(measure_height(marks, sight.camera, sight.T_world_camera(), 0.0, kSeen)) << unseen;
+    EXPECT_FALSE(measure_height(marks, sight.camera, sight.T_world_camera(), 0.0, kVisible))
+        << unseen;
   }
   sight.away_m = 15.0;
   EXPECT_FALSE(sight.measured()) << "a pixel is half a metre there";
