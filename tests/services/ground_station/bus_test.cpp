@@ -47,10 +47,11 @@ class BusOnDds : public ::testing::Test {
       if (c.topic == topic) return &c;
     return nullptr;
   }
-  const Bytes* last(const std::string& topic) const {
+  // Shared, as the bus goes on and puts another one in its place.
+  std::shared_ptr<const Bytes> last(const std::string& topic) const {
     const auto* c = channel(topic);
     const auto it = c ? samples_.find(c->id) : samples_.end();
-    return it == samples_.end() ? nullptr : &*it->second;
+    return it == samples_.end() ? nullptr : it->second;
   }
 
   FreeDomain domain_;
@@ -81,14 +82,16 @@ TEST_F(BusOnDds, PassesOnTheBytesOfEveryVehicleThatJoins) {
     Writer<topics::Odometry> writer(vehicle);
     writer.sample().child_frame_id(name);
     writer.sample().pose().pose().position().x(12.5);
-    ASSERT_TRUE(until([&] { return last("/" + name + "/odometry"); }, [&] { writer.write(); }));
+    std::shared_ptr<const Bytes> bytes;
+    ASSERT_TRUE(until([&] { return (bytes = last("/" + name + "/odometry")) != nullptr; },
+                      [&] { writer.write(); }));
     const auto& c = *channel("/" + name + "/odometry");
     EXPECT_EQ(c.schema_name, "nav_msgs/msg/Odometry");
     EXPECT_EQ(c.schema_encoding, "ros2msg");
     const auto ops = type_ops<nav_msgs::msg::Odometry>();
-    EXPECT_EQ(*last("/" + name + "/odometry"), to_cdr(ops, &writer.sample()));
+    EXPECT_EQ(*bytes, to_cdr(ops, &writer.sample()));
     nav_msgs::msg::Odometry read;
-    ASSERT_TRUE(from_cdr(ops, *last("/" + name + "/odometry"), &read));
+    ASSERT_TRUE(from_cdr(ops, *bytes, &read));
     EXPECT_EQ(read.pose().pose().position().x(), 12.5);
   }
   EXPECT_TRUE(until([&] { return bus_.vehicles().size() == 2; }, [] {}));
@@ -105,7 +108,10 @@ TEST_F(BusOnDds, ReadsPicturesForTheGroundOnlyWhileSomebodyWantsThem) {
   EXPECT_EQ(odometry.readers(), 1);
   ASSERT_TRUE(channel(topic)) << "it is still offered";
   bus_.want({channel(topic)->id});
-  samples_.clear();
+  {
+    const std::lock_guard lock(mutex_);
+    samples_.clear();
+  }
   ASSERT_TRUE(until([&] { return last(topic) && video.readers() == 1; }, write));
 }
 
