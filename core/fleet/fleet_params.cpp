@@ -17,6 +17,7 @@ ParamRows rows(FleetParams& p) {
       {"layer_change_s", &p.layer_change_s, "s", 0.5, 30.0,
        "who is silent for so long has come to its layer"},
       {"separation_m", &p.separation_m, "m", 0.5, 10.0, "kept between two vehicles' hulls"},
+      {"margin_m", &p.margin_m, "m", 0.0, 5.0, "beyond it: what vehicles leave their plans by"},
       {"yield_m", &p.yield_m, "m", 0.0, 5.0, "kept beyond it by who has to give way"},
       {"downwash_m", &p.downwash_m, "m", 0.0, 10.0,
        "height over and under a vehicle that is kept free"},

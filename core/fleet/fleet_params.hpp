@@ -17,6 +17,7 @@ struct FleetParams {
   double layer_m = 1.8;  ///< from one layer to the next, of vehicles that do not hear each other
   double layer_change_s = 4.0;  ///< who is silent for so long has come to its layer
   double separation_m = 1.0;    ///< kept between two vehicles' hulls
+  double margin_m = 0.15;       ///< beyond it: what vehicles leave their plans by
   double yield_m = 0.3;         ///< kept beyond it by who has to give way
   double downwash_m = 2.0;      ///< height over and under a vehicle that is kept free
   double replan_m_s2 = 5.0;     ///< with which another vehicle may leave the plan that it told

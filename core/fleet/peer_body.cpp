@@ -24,8 +24,8 @@ double grown_m(double age_s, const FleetParams& params) {
 }
 
 double least_radius_m(const FleetMember& peer, const PeerView& view, const FleetParams& params) {
-  const double kept_m =
-      params.separation_m + (view.gives_way ? params.yield_m : 0.0) - view.gap_min_m;
+  const double kept_m = params.separation_m + params.margin_m +
+                        (view.gives_way ? params.yield_m : 0.0) - view.gap_min_m;
   return peer.radius_m + std::max(kept_m, 0.0);
 }
 

@@ -26,7 +26,7 @@ TEST(PeerBody, WhoKeepsItsGapFromItKeepsTheSeparation) {
   const PeerView view{.now_s = 10.0, .own_enu_m = {20, 0, 1.5}, .gap_min_m = kGap_m};
   const MovingBody body = peer_body(hovering_at({0, 0, 1.5}), view, params);
   EXPECT_EQ(body.kind, BodyKind::kVehicle);
-  EXPECT_NEAR(nearest_m(body) - 2.0 * kHull_m, params.separation_m, 1e-9);
+  EXPECT_NEAR(nearest_m(body) - 2.0 * kHull_m, params.separation_m + params.margin_m, 1e-9);
   EXPECT_LE(body.position_enu_m.z(), 1.5 - params.downwash_m + 1e-9);
   EXPECT_GE(body.position_enu_m.z() + body.height_m, 1.5 + params.downwash_m - 1e-9);
 }
