@@ -19,15 +19,17 @@ inline double failure_s(const Scenario& scenario, std::string_view vehicle, Flee
 }
 
 /// Whether a vehicle is there. Who joins does so at its time, or as soon as there is room at its
-/// place then: nobody takes off amid others.
+/// place then: nobody takes off amid others, or beside the person.
 class Presence {
  public:
   /// Once a step. `others`: the vehicles that are there.
   void update(const Scenario& scenario, std::string_view vehicle, double time_s,
-              const Vec3& place_enu_m, std::span<const Vec3> others) {
+              const Vec3& place_enu_m, const Vec3& person_enu_m, std::span<const Vec3> others) {
     const bool due = time_s >= failure_s(scenario, vehicle, FleetFailureKind::kJoins);
-    const bool room = std::ranges::none_of(
-        others, [&](const Vec3& other) { return distance_xy(other, place_enu_m) < kRoom_m; });
+    const auto is_near = [&](const Vec3& other) {
+      return distance_xy(other, place_enu_m) < kRoom_m;
+    };
+    const bool room = !is_near(person_enu_m) && std::ranges::none_of(others, is_near);
     if (!joined_s_ && due && (time_s <= 0.0 || room)) joined_s_ = time_s;
     died_ = time_s >= failure_s(scenario, vehicle, FleetFailureKind::kDies);
   }

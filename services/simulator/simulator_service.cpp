@@ -105,7 +105,7 @@ void SimulatorService::step(std::size_t vehicle) {
     const double since_s = now_s_ - people_set_off_s_;
     state.blind = since_s >= failure_s(scenario_, name, FleetFailureKind::kBlind);
     presences_[vehicle].update(scenario_, name, since_s, state.quadrotor.vehicle.position_enu_m,
-                               state.peers_enu_m);
+                               state.person.state.position_enu_m, state.peers_enu_m);
   }
   vehicles_[vehicle]->step(kStep_s, is_there(vehicle));
 }

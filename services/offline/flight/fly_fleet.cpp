@@ -75,7 +75,7 @@ class FlyingFleet {
     for (Flyer& f : flyers_) {
       find_peers(f);
       f.presence.update(scenario_, f.name, now_s_, f.simulator.quadrotor.vehicle.position_enu_m,
-                        f.simulator.peers_enu_m);
+                        f.simulator.person.state.position_enu_m, f.simulator.peers_enu_m);
     }
     for (Flyer& f : flyers_) {
       find_peers(f);
