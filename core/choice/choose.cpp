@@ -126,32 +126,26 @@ void tell_apart(ChoiceState& s, const Others& others, const ChoiceParams& p, Cho
   out.count = 0;
 }
 
-// Who is away from them now, and those of before who are still there.
-void note_who_is_apart(ChoiceState& s, const Others& others, const ChoiceParams& p) {
-  auto apart = s.apart;
-  int count = 0;
-  for (int i = 1; i < others.in.bodies.count; ++i)
-    if (others.is_person(i) &&
-        (is_among(s.apart, s.apart_count, others.body(i).id) ||
-         !meets(others.body(0), others.body(i), others.in.vehicle_enu_m, p.meet_m)))
-      apart[count++] = others.body(i).id;
-  s.apart = apart;
-  s.apart_count = count;
-}
-
 // Whether somebody is with them now who may be taken for them. Who was never seen apart from them
 // may have been them: the track may have gone on with the other one before anybody saw two.
 bool notice_meetings(ChoiceState& s, const Others& others, const ChoiceParams& p) {
   bool together = false, comes_from_nowhere = false;
+  auto apart = s.apart;  // now or before, of who is still there
+  int apart_count = 0;
   for (int i = 1; i < others.in.bodies.count; ++i) {
-    if (!others.is_person(i) ||
-        !meets(others.body(0), others.body(i), others.in.vehicle_enu_m, p.meet_m))
-      continue;
-    meet(s, others.body(i).id);
+    if (!others.is_person(i)) continue;
+    const std::uint32_t id = others.body(i).id;
+    const bool was_apart = is_among(s.apart, s.apart_count, id);
+    const bool is_with_them =
+        meets(others.body(0), others.body(i), others.in.vehicle_enu_m, p.meet_m);
+    if (was_apart || !is_with_them) apart[apart_count++] = id;
+    if (!is_with_them) continue;
+    meet(s, id);
     together = true;
-    comes_from_nowhere |= !is_among(s.apart, s.apart_count, others.body(i).id);
+    comes_from_nowhere |= !was_apart;
   }
-  note_who_is_apart(s, others, p);
+  s.apart = apart;
+  s.apart_count = apart_count;
   if (!together) return false;
   if (others.in.doubtful) ++s.doubtful_looks;
   if (comes_from_nowhere) s.doubtful_looks = std::max(s.doubtful_looks, p.doubtful_looks);
