@@ -17,6 +17,7 @@
 #include "services/common/options.hpp"
 #include "services/common/stop.hpp"
 #include "services/convert/checks.hpp"
+#include "services/convert/order_name.hpp"
 #include "services/files/config/load_bounds.hpp"
 #include "services/operator/find_nearest.hpp"
 #include "services/operator/order_sender.hpp"

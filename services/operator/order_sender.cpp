@@ -100,15 +100,4 @@ void OrderSender::send(double now_s) {
   writer_.write();
 }
 
-std::optional<MissionOrder> order_of(std::string_view name) {
-  for (const auto order :
-       {MissionOrder::kStart, MissionOrder::kHold, MissionOrder::kResume, MissionOrder::kReturn,
-        MissionOrder::kLand, MissionOrder::kStop, MissionOrder::kTakeOff})
-    if (to_string(order) == name) return order;
-  if (name == "bounds") return MissionOrder::kSetBounds;
-  if (name == "follow") return MissionOrder::kFollow;
-  if (name == "framing") return MissionOrder::kSetFraming;
-  return name == "return_place" ? std::optional(MissionOrder::kSetReturnPlace) : std::nullopt;
-}
-
 }  // namespace foretrack

@@ -57,8 +57,4 @@ class OrderSender {
   bool insists_ = false, is_idle_ = false, has_flown_ = false, is_overruled_ = false;
 };
 
-/// The order of that name ("take_off", "bounds", "follow", "framing", "return_place"); none: there
-/// is no such order.
-std::optional<MissionOrder> order_of(std::string_view name);
-
 }  // namespace foretrack

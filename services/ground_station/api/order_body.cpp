@@ -4,25 +4,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "services/convert/order_name.hpp"
+
 namespace foretrack::station {
 namespace {
 
 using Body = nlohmann::ordered_json;
 
-constexpr auto kPlainOrders = {MissionOrder::kStart,  MissionOrder::kHold, MissionOrder::kResume,
-                               MissionOrder::kReturn, MissionOrder::kLand, MissionOrder::kStop,
-                               MissionOrder::kTakeOff};
-
 std::optional<MissionOrder> order_named(const Body& body) {
   const auto it = body.find("command");
   if (it == body.end() || !it->is_string()) return std::nullopt;
-  const auto word = it->get<std::string>();
-  for (const auto order : kPlainOrders)
-    if (to_string(order) == word) return order;
-  if (word == "follow") return MissionOrder::kFollow;
-  if (word == "framing") return MissionOrder::kSetFraming;
-  if (word == "return_place") return MissionOrder::kSetReturnPlace;
-  return word == "bounds" ? std::optional(MissionOrder::kSetBounds) : std::nullopt;
+  return order_of(it->get<std::string>());
 }
 
 // Left as it is where the body has none, or null.
