@@ -29,10 +29,11 @@ void Client::tell(std::shared_ptr<const std::string> text) {
   link_.wake();
 }
 
-void Client::offer(const Sample& sample, double now_s) {
-  const auto it = by_channel_.find(sample.channel);
+void Client::offer(PerLink& sample, double now_s) {
+  const auto it = by_channel_.find(sample.full().channel);
   if (it == by_channel_.end() || closed_) return;
-  outbox_.push_sample(it->second, sample, now_s);
+  const bool light = sample.can_be_lighter() && outbox_.wants_light(it->second, now_s);
+  outbox_.push_sample(it->second, light ? sample.light() : sample.full(), now_s);
 }
 
 void Client::flush() {
@@ -78,7 +79,10 @@ void Client::subscribe(const foxglove::Subscribe& wanted, double now_s) {
     } else {
       by_channel_[channel] = id;
       by_subscription_[id] = channel;
-      for (const auto& sample : hub_.kept(it->second, now_s)) offer(sample, now_s);
+      for (const auto& sample : hub_.kept(it->second, now_s)) {
+        PerLink kept(it->second, sample);
+        offer(kept, now_s);
+      }
     }
   }
   flush();

@@ -13,6 +13,7 @@
 
 #include "services/common/rate.hpp"
 #include "services/ground_station/foxglove/protocol.hpp"
+#include "services/ground_station/hub/light_picture.hpp"
 #include "services/ground_station/hub/outbox.hpp"
 
 namespace foretrack::station {
@@ -60,7 +61,7 @@ class Client {
   bool may_speak(double now_s);
   void tell(std::shared_ptr<const std::string> text);
   void tell(std::string text) { tell(std::make_shared<const std::string>(std::move(text))); }
-  void offer(const Sample& sample, double now_s);
+  void offer(PerLink& sample, double now_s);
   void flush();  // after samples were offered
   void close(const std::string& reason);
 

@@ -85,7 +85,8 @@ void Hub::deliver(const std::vector<Sample>& samples, double now_s) {
     chained.chain = chain_of(channel->second, *sample.data);
     keep(flow, channel->second, chained, now_s);
     if (!within_limit(flow, sample.data->size(), now_s)) continue;
-    for (const auto& [id, client] : clients_) client->offer(chained, now_s);
+    PerLink offered(channel->second, chained);
+    for (const auto& [id, client] : clients_) client->offer(offered, now_s);
   }
   for (const auto& [id, client] : clients_) client->flush();
 }

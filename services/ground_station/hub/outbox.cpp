@@ -24,7 +24,24 @@ void Outbox::drop_superseded(Lane& lane, double now_s) {
     const bool is_video = oldest.chain != Chain::kAlone;
     return now_s - oldest.since_s > (is_video ? limits_.video_stale_s : limits_.stale_s);
   };
-  while (lane.queue.size() > 1 && is_stale(lane.queue.front())) drop_oldest(lane);
+  while (lane.queue.size() > 1 && is_stale(lane.queue.front())) {
+    drop_oldest(lane);
+    lighten(lane, now_s);
+  }
+}
+
+// A link that carried the full samples for as long as it had the light ones is good again.
+void Outbox::lighten(Lane& lane, double now_s) const {
+  if (now_s < lane.light_until_s) return;
+  const bool again = now_s - lane.light_until_s < lane.light_for_s;
+  lane.light_for_s =
+      again ? std::min(2.0 * lane.light_for_s, limits_.light_most_s) : limits_.light_s;
+  lane.light_until_s = now_s + lane.light_for_s;
+}
+
+bool Outbox::wants_light(std::uint32_t subscription, double now_s) const {
+  const auto it = lanes_.find(subscription);
+  return it != lanes_.end() && now_s < it->second.light_until_s;
 }
 
 void Outbox::make_room(std::size_t bytes) {

@@ -31,6 +31,8 @@ struct OutboxLimits {
   double video_stale_s = 0.6;  // of a video, which then is shown no more until its next key
   double long_s = 0.25;        // a sample that took so long to send makes its topic rest
   double rest = 2.0;           // for so many times as long
+  double light_s = 5.0;        // where a sample gave way its topic is light for so long,
+  double light_most_s = 60.0;  // and for twice as long each time it happens again, up to this
 };
 
 /// A fast client gets everything. For a slow one, old samples give way to newer ones of the same
@@ -49,6 +51,9 @@ class Outbox {
   /// The next to send; none: nothing may be sent now. What is taken at one time is sent together,
   /// and is sent when one asks again.
   std::optional<Frame> pop(double now_s);
+  /// Whether of late the link did not carry all samples of the subscription: where they can be
+  /// lighter, they should.
+  bool wants_light(std::uint32_t subscription, double now_s) const;
   /// Forgets the samples of a subscription that ended.
   void forget(std::uint32_t subscription);
 
@@ -66,11 +71,13 @@ class Outbox {
     std::uint64_t spent_bytes = 0;  // of the link, since it began to wait
     double rests_until_s = 0.0;
     bool broken = false;  // a video without its next key
+    double light_until_s = 0.0, light_for_s = 0.0;
   };
   void drop_front(Lane& lane);
   void make_room(std::size_t bytes);
   void drop_oldest(Lane& lane);
   void drop_superseded(Lane& lane, double now_s);
+  void lighten(Lane& lane, double now_s) const;
   void rest_after_long_write(double now_s);
   Lane* next_lane(double now_s);
 

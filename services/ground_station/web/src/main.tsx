@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import { render } from "preact";
 
-import { beginsWithPicture, Page } from "./ui/page.tsx";
+import { pictures, telemetry } from "./links.ts";
+import { Page } from "./ui/page.tsx";
 import { Session } from "./ui/session.ts";
 import { loadLanguage } from "./ui/words.ts";
 
-const scheme = location.protocol === "https:" ? "wss:" : "ws:";
-const session = new Session(`${scheme}//${location.host}/ws`);
-session.watching = beginsWithPicture();
+const session = new Session(telemetry, pictures);
 
 // A hidden page gets no frames, but must not grow old nor hold what came.
 let drawn_ms = 0;

@@ -12,13 +12,8 @@ const retry_ms = 1000;
 const jump_s = 5;
 const deaf_s = 6; // the station speaks twice a second; so long without a word: it hangs
 
-export interface LiveEvents {
-  offer(): void; // what can be read is known, and not read yet
-  link(open: boolean, reason: string): void;
-  problem(text: string): void;
-}
-
 export class LiveLink {
+  onProblem: (text: string) => void = () => {};
   private client: FoxgloveClient | null = null;
   private socket: WebSocket | null = null;
   private readonly queue = new SampleQueue();
@@ -27,14 +22,32 @@ export class LiveLink {
   private wanted: readonly string[] = []; // of those
   private quietTicks = 0; // seconds without a word; counted, as a page that stood still is not deaf
   private closed = false;
+  private isOffered = false;
+  private tellOffer: () => void = () => {};
+  private listen: (open: boolean, reason: string) => void = () => {};
+  private state: [open: boolean, reason: string] | null = null;
   private readonly timer: ReturnType<typeof setInterval>;
   /** Station's clock minus ours, by the quickest sample of late. */
   private ahead_s = 0;
   private aheadSince_ms = -Infinity;
 
-  constructor(private readonly url: () => string, private readonly events: LiveEvents) {
+  /** Of the station's topics those of this part are read. */
+  constructor(private readonly url: () => string,
+    private readonly isOfPart: (topic: string) => boolean) {
     this.connect();
     this.timer = setInterval(() => this.checkHearing(), 1000);
+  }
+
+  /** Calls back when it is known what can be read, and it is not read yet; at once if it is known. */
+  onOffer(listen: () => void): void {
+    this.tellOffer = listen;
+    if (this.isOffered) listen();
+  }
+
+  /** Calls back when the link opens or closes, and at once if it did. */
+  onLink(listen: (open: boolean, reason: string) => void): void {
+    this.listen = listen;
+    if (this.state) listen(...this.state);
   }
 
   take(): RawSample[] {
@@ -78,16 +91,18 @@ export class LiveLink {
     const client = new FoxgloveClient({ ws: socket as unknown as IWebSocket });
     this.socket = socket;
     this.client = client;
-    client.on("open", () => this.events.link(true, ""));
+    client.on("open", () => this.tell(true, ""));
     client.on("error", () => {});
     client.on("close", (event) => this.onClose(client, event.reason || "closed"));
     client.on("status", (status) => {
-      if (status.level > 0) this.events.problem(`station: ${status.message}`);
+      if (status.level > 0) this.onProblem(`station: ${status.message}`);
     });
     client.on("advertise", (channels) => {
-      channels.filter((c) => isOnDemand(c.topic)).forEach((c) => this.offered.set(c.topic, c));
-      this.events.offer();
-      channels.forEach((c) => this.announce(client, c));
+      const mine = channels.filter((c) => this.isOfPart(c.topic));
+      mine.filter((c) => isOnDemand(c.topic)).forEach((c) => this.offered.set(c.topic, c));
+      this.isOffered = true;
+      this.tellOffer();
+      mine.forEach((c) => this.announce(client, c));
       this.spare(client);
     });
     client.on("unadvertise", (ids) => ids.forEach((id) => this.forget(id)));
@@ -99,8 +114,13 @@ export class LiveLink {
     this.client = null;
     this.socket = null;
     if (this.closed) return;
-    this.events.link(false, reason);
+    this.tell(false, reason);
     setTimeout(() => this.connect(), retry_ms);
+  }
+
+  private tell(open: boolean, reason: string): void {
+    this.state = [open, reason];
+    this.listen(open, reason);
   }
 
   private announce(client: FoxgloveClient, c: Announced): void {

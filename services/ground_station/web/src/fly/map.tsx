@@ -3,6 +3,7 @@
 // drawn on it.
 import { useRef, useState } from "preact/hooks";
 
+import { query } from "../data/token.ts";
 import { originOf } from "../ground/place.ts";
 import type { Vehicle } from "../store/state.ts";
 import type { Session } from "../ui/session.ts";
@@ -137,7 +138,7 @@ export function FlightMap({ session, vehicle, drawing, draws, change }: MapProps
         onPointerUp={() => (held.current = null)} onPointerCancel={() => (held.current = null)}
         onPointerLeave={() => setPointed(null)}>
         <Background map={map} ground={session.ground} origin={origin} width={width} height={height}
-          query={session.operator.query()} />
+          query={query()} />
         <Known map={map} vehicle={vehicle} drawing={drawing} />
         <Corners map={map} fence={fence} editable={draws === "fence"} hold={hold}
           change={(moved) => change({ fence: moved })} />

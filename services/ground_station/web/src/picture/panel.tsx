@@ -6,6 +6,7 @@ import { saveClip } from "../ui/clip.ts";
 import { download } from "../ui/download.ts";
 import { age, timeOfDay } from "../ui/format.ts";
 import { Icon } from "../ui/icon.tsx";
+import type { Layout } from "../ui/layout.ts";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
 import { People, TapMenu, type Tapped } from "./people.tsx";
@@ -13,18 +14,16 @@ import { PictureScreen, pictureAge_s } from "./screen.ts";
 
 const old_s = 1;
 
-export type Layout = "inset" | "picture" | "scene";
-
 /** Why there is no picture; "": there is, or will be. */
 export function whyNone(session: Session): string {
-  const { replay, vehicle, link } = session;
+  const { replay, vehicle, pictures } = session;
   if (!vehicle) return t("no vehicle");
   const { latest } = vehicle;
   if (latest["camera/ground/image/compressed"] || latest["camera/ground/video"]) return "";
   if (replay)
     return session.hasVideo || replay.recording.topics().includes(session.picture) ? ""
       : t("This recording has no pictures.");
-  if (link.offers(session.picture) || session.hasVideo) return t("Waiting for the first picture …");
+  if (pictures.offers(session.picture) || session.hasVideo) return t("Waiting for the first picture …");
   const color = `${vehicle.name}/camera/color/image`;
   const hasCamera = session.liveState.station?.message.topics.some((topic) =>
     topic.topic.includes(color) && topic.writers > 0) ?? false;

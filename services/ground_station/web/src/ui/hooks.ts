@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useReducer, useState } from "preact/hooks";
 
+import { isNarrow, narrowQuery } from "./layout.ts";
 import type { Session } from "./session.ts";
 
 /** Draws the component anew whenever the session says so: four times a second, and on input. */
@@ -18,8 +19,6 @@ export function useModule<T>(load: () => Promise<T>): T | null {
   return module;
 }
 
-const narrowQuery = "(max-width: 820px)";
-export const isNarrow = (): boolean => matchMedia(narrowQuery).matches;
 
 export function useNarrow(): boolean {
   const [narrow, setNarrow] = useState(isNarrow());

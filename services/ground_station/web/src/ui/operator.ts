@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who commands, with which token; and the requests to the station.
 import type { GroundMap } from "../ground/ground_map.ts";
+import { setToken, token } from "../data/token.ts";
 import type { Answer, Recording, StationStatus } from "../data/station.ts";
 
 export type Command = "start" | "hold" | "resume" | "return" | "land" | "stop" |
@@ -15,11 +16,9 @@ export type OrderDetails =
 export type LeaseAction = "take" | "release" | "hand_over";
 
 const nameKey = "foretrack.operator";
-const tokenKey = "foretrack.token";
 
 export class Operator {
   private name_ = localStorage.getItem(nameKey) ?? "";
-  token = tokenOfAddress() ?? sessionStorage.getItem(tokenKey) ?? "";
 
   get name(): string {
     return this.name_.trim();
@@ -32,13 +31,11 @@ export class Operator {
     this.name_ = name.replace(/[^\w\-. ]/g, "").trimStart().slice(0, 32); // what the station takes
     localStorage.setItem(nameKey, this.name_);
   }
-  setToken(token: string): void {
-    this.token = token.trim();
-    sessionStorage.setItem(tokenKey, this.token);
+  get token(): string {
+    return token();
   }
-  /** A WebSocket of a browser cannot carry headers. */
-  query(): string {
-    return this.token ? `?token=${encodeURIComponent(this.token)}` : "";
+  setToken(typed: string): void {
+    setToken(typed);
   }
   headers(): Record<string, string> {
     return this.token ? { Authorization: `Bearer ${this.token}` } : {};
@@ -85,13 +82,4 @@ export class Operator {
       return { ok: false, reason: `the station does not answer: ${(error as Error).message}` };
     }
   }
-}
-
-// #token=… is kept for this tab and taken out of the address.
-function tokenOfAddress(): string | null {
-  const token = new URLSearchParams(location.hash.slice(1)).get("token");
-  if (!token) return null;
-  sessionStorage.setItem(tokenKey, token);
-  history.replaceState(null, "", location.pathname + location.search);
-  return token;
 }

@@ -14,12 +14,13 @@ import { TopicsPanel } from "../panels/topics.tsx";
 import { VehicleStrip } from "../panels/vehicle_strip.tsx";
 import { FlyPanel } from "../fly/panel.tsx";
 import { ChoiceDialog, ChoiceLine } from "../picture/choice.tsx";
-import { type Layout, PicturePanel, whyNone } from "../picture/panel.tsx";
+import { PicturePanel, whyNone } from "../picture/panel.tsx";
 import { Plots } from "../plots/panel.tsx";
 import { ScenePanel, type SceneHandle } from "../scene/panel.tsx";
-import { isNarrow, useNarrow, useSession } from "./hooks.ts";
+import { useNarrow, useSession } from "./hooks.ts";
 import { Icon } from "./icon.tsx";
 import { keyHelp, listenToKeys } from "./keys.ts";
+import { keepLayout, keptLayout, type Layout } from "./layout.ts";
 import { openRecording } from "./open_recording.ts";
 import type { Session } from "./session.ts";
 import { chooseLanguage, languages, said, t } from "./words.ts";
@@ -95,17 +96,10 @@ function useDroppedFiles(session: Session): void {
   }, []);
 }
 
-const layoutKey = "foretrack.layout";
-
-/** As the page will begin: before anything of it is drawn, its picture can be asked for. */
-export const beginsWithPicture = (): boolean =>
-  !isNarrow() && localStorage.getItem(layoutKey) !== "scene";
-
 function useLayout(): [Layout, (layout: Layout) => void] {
-  const [layout, setLayout] = useState<Layout>(
-    (localStorage.getItem(layoutKey) as Layout | null) ?? "inset");
+  const [layout, setLayout] = useState<Layout>(keptLayout());
   return [layout, (chosen) => {
-    localStorage.setItem(layoutKey, chosen);
+    keepLayout(chosen);
     setLayout(chosen);
   }];
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page does: the live link, perhaps a replay, and which of the two is shown.
 import { Intake } from "../data/intake.ts";
-import { LiveLink } from "../data/live.ts";
+import type { LiveLink } from "../data/live.ts";
 import type { Recording } from "../data/recording.ts";
 import { Replay } from "../data/replay.ts";
 import type { GroundMap } from "../ground/ground_map.ts";
@@ -10,6 +10,7 @@ import { byName, pictureTopic, videoTopic } from "../data/topics.ts";
 import { VideoChoice } from "../picture/video_choice.ts";
 import { type Input, reduce } from "../store/reduce.ts";
 import { makeState, type State, type Vehicle } from "../store/state.ts";
+import { beginsWithPicture } from "./layout.ts";
 import { Operator } from "./operator.ts";
 import { AlarmSound } from "./sound.ts";
 
@@ -34,11 +35,10 @@ function feed(stage: Stage, samples: RawSample[], now_s: number, schemas = Infin
 export class Session {
   readonly operator = new Operator();
   readonly sound = new AlarmSound();
-  readonly link: LiveLink;
   readonly video = new VideoChoice();
   replay: Replay | null = null;
   chosen = ""; // vehicle
-  watching = false; // the chosen vehicle's picture is seen
+  watching = beginsWithPicture(); // the chosen vehicle's picture is seen
   span_s = 30; // of the plots
   /** The first picture is there, or none will be soon: what takes the machine long may begin. */
   readonly settled: Promise<true>;
@@ -54,18 +54,16 @@ export class Session {
   private replayed: Stage = makeStage();
   private readonly listeners = new Set<() => void>();
 
-  constructor(url: string) {
+  constructor(private readonly link: LiveLink, readonly pictures: LiveLink) {
     const { state } = this.live;
     this.settled = new Promise((resolve) => (this.settle = () => resolve(true)));
     setTimeout(() => this.settle(), longestStart_ms);
     void this.settled.then(() => this.loadGround());
-    this.link = new LiveLink(() => url + this.operator.query(), {
-      link: (open, reason) => this.tell({ kind: "link", open, reason, now_s: this.link.now_s() }),
-      problem: (text) => reduce(state, { kind: "problem", text }),
-      offer: () => {
-        this.wantPicture(); // first, as it is what is waited for
-        if (!this.watching || this.link.offering().length === 0) this.settle();
-      },
+    link.onLink((open, reason) => this.tell({ kind: "link", open, reason, now_s: link.now_s() }));
+    link.onProblem = pictures.onProblem = (text) => reduce(state, { kind: "problem", text });
+    pictures.onOffer(() => {
+      this.wantPicture();
+      if (!this.watching || pictures.offering().length === 0) this.settle();
     });
   }
 
@@ -103,7 +101,7 @@ export class Session {
 
   /** Of the chosen vehicle, or of who offers pictures before anything is heard. */
   private pictured(topic: string): string {
-    return `/${this.vehicle?.name ?? this.link.offering()[0] ?? ""}/${topic}`;
+    return `/${this.vehicle?.name ?? this.pictures.offering()[0] ?? ""}/${topic}`;
   }
   /** The topic of its pictures. */
   get picture(): string {
@@ -112,7 +110,7 @@ export class Session {
   /** There is a video of it, in what is shown. */
   get hasVideo(): boolean {
     const topic = this.pictured(videoTopic);
-    return this.replay ? this.replay.recording.topics().includes(topic) : this.link.offers(topic);
+    return this.replay ? this.replay.recording.topics().includes(topic) : this.pictures.offers(topic);
   }
   get showsVideo(): boolean {
     return this.video.on && this.hasVideo;
@@ -123,7 +121,7 @@ export class Session {
     const watched = this.watching && !this.replay && !document.hidden;
     const videos = this.showsVideo ? [this.pictured(videoTopic)] : [];
     const images = this.showsVideo && this.video.runs ? [] : [this.picture];
-    this.link.want(watched ? [...images, ...videos] : []);
+    this.pictures.want(watched ? [...images, ...videos] : []);
   }
 
   /** Once a frame. */
@@ -180,7 +178,7 @@ export class Session {
   }
 
   private feedLive(): void {
-    const samples = this.link.take();
+    const samples = [...this.pictures.take(), ...this.link.take()];
     if (samples.length > 0 && !this.replay) this.fresh++;
     feed(this.live, samples, this.link.now_s(), document.hidden ? Infinity : schemasAFrame);
   }
