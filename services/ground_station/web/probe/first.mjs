@@ -1,28 +1,51 @@
-// temp
+// SPDX-License-Identifier: Apache-2.0
+// first.mjs URL [TIMES [watched]]: where the time goes until a page's first picture is drawn, ms from its opening: html, main.js,
+// the first WebSocket made and open, channels known, first picture there, decoded, drawn. "watched": beside another page,
+// so that the vehicle encodes pictures already.
 import { launch, open } from "../tests/chromium.mjs";
-const [url, n = "4", keep] = process.argv.slice(2);
-const browser = await launch();
-if (keep) await open(browser, url);
-await new Promise((r) => setTimeout(r, 6000));
-const hook = () => {
-  const m = (window.marks = {}); const now = () => Math.round(performance.now());
-  m.script = now();
+
+const [url, times = "4", watched] = process.argv.slice(2);
+const picture_bytes = 3000;
+
+const listen = (least_bytes) => {
+  const marks = (window.marks = {});
+  const mark = (name) => (marks[name] ??= Math.round(performance.now()));
   const Plain = window.WebSocket;
-  window.WebSocket = class extends Plain { constructor(...a) { super(...a); m.ws ??= now();
-    this.addEventListener("open", () => (m.open ??= now()));
-    this.addEventListener("message", ({ data }) => { if (typeof data === "string") { if (data.includes("advertise")) m.advertise ??= now(); } else { m.sample ??= now(); if (data.byteLength > 6000) m.big ??= now(); } }); } };
-  const draw = window.createImageBitmap; window.createImageBitmap = async (...a) => { m.decode ??= now(); const r = await draw(...a); m.decoded ??= now(); return r; };
-  document.addEventListener("DOMContentLoaded", () => (m.dom = now()));
+  window.WebSocket = class extends Plain {
+    constructor(...given) {
+      super(...given);
+      mark("made");
+      this.addEventListener("open", () => mark("open"));
+      this.addEventListener("message", ({ data }) => {
+        if (typeof data === "string") return data.includes('"advertise"') && mark("channels");
+        if (data.byteLength > least_bytes) mark("picture");
+      });
+    }
+  };
+  const decode = window.createImageBitmap;
+  window.createImageBitmap = async (...given) => {
+    const bitmap = await decode(...given);
+    mark("decoded");
+    return bitmap;
+  };
 };
-for (let i = 0; i < Number(n); i++) {
+
+const browser = await launch();
+if (watched) await open(browser, url);
+for (let i = 0; i < Number(times); i++) {
+  await new Promise((done) => setTimeout(done, watched ? 1000 : 5000));
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
-  await context.addInitScript(hook);
+  await context.addInitScript(listen, picture_bytes);
   const page = await context.newPage();
   await page.goto(url);
-  await page.waitForSelector(".camview .frame[data-first]", { timeout: 20000 });
-  const first = await page.getAttribute(".camview .frame", "data-first");
-  console.log(first, JSON.stringify(await page.evaluate(() => { const n = performance.getEntriesByType("navigation")[0]; const r = performance.getEntriesByName(location.origin + "/main.js")[0]; const paint = performance.getEntriesByType("paint").map((p) => [p.name, Math.round(p.startTime)]); return { ...window.marks, html: Math.round(n.responseEnd), main: r && Math.round(r.responseEnd), paint }; })));
+  await page.waitForSelector(".camview .frame[data-first]", { timeout: 40000 });
+  console.log(JSON.stringify(await page.evaluate(() => {
+    const [html] = performance.getEntriesByType("navigation");
+    const [main] = performance.getEntriesByName(new URL("main.js", location.href).href);
+    const drawn = Number(document.querySelector(".camview .frame").dataset.first);
+    return { html: Math.round(html.responseEnd), main: Math.round(main.responseEnd), ...window.marks, drawn };
+  })));
   await context.close();
-  await new Promise((r) => setTimeout(r, keep ? 500 : 5000));
 }
-await browser.close(); process.exit(0);
+await browser.close();
+process.exit(0);
