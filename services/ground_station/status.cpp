@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/ground_station/status.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace foretrack::station {
@@ -85,7 +86,8 @@ std::string to_json_text(const Status& s) {
   Json json;
   json["server"] = {{"version", s.server.version},
                     {"uptime_s", s.server.uptime_s},
-                    {"clients", s.clients.size()},
+                    {"clients", std::count_if(s.clients.begin(), s.clients.end(),
+                                              [](const auto& client) { return client.watches; })},
                     {"control_enabled", s.server.control_enabled},
                     {"needs_token", s.server.needs_token}};
   json["vehicles"] = Json::array();

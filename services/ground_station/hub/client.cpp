@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "services/ground_station/hub/hub.hpp"
+#include "services/ground_station/hub/video_chain.hpp"
 
 namespace foretrack::station {
 
@@ -112,6 +113,10 @@ void Client::handle(const foxglove::ClientMessage& message, double now_s) {
     return tell(status(Level::kError, std::get<foxglove::Malformed>(message).why));
   }
   report_.subscriptions = by_channel_.size();
+  report_.watches = std::any_of(by_channel_.begin(), by_channel_.end(), [this](const auto& entry) {
+    const auto it = hub_.channels_.find(entry.first);
+    return it != hub_.channels_.end() && !is_ground_picture(it->second);
+  });
   if (hub_.on_interest) hub_.on_interest();
 }
 

@@ -36,6 +36,7 @@ struct ClientReport {
   std::uint64_t id = 0;
   std::string address;
   std::size_t subscriptions = 0;
+  bool watches = false;  // reads more than pictures, for which a page has a connection of their own
   std::size_t waiting_bytes = 0;
   std::uint64_t sent_bytes = 0;
   std::uint64_t dropped = 0;

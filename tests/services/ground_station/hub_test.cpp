@@ -52,6 +52,21 @@ TEST(Hub, TellsANewClientOfItselfAndAllChannels) {
   EXPECT_EQ(Json::parse(*frames[1].text)["channels"].size(), 2u);
 }
 
+TEST(Hub, APagesConnectionForPicturesIsNoSecondOneWhoWatches) {
+  Hub hub("station", "1", {});
+  hub.open(channel(1));
+  auto picture = channel(2);
+  picture.topic = "/uav1/camera/ground/image/compressed";
+  hub.open(picture);
+  Reader page(hub, 0.0), pictures(hub, 0.0);
+  page.subscribe(1, 1, 0.0);
+  pictures.subscribe(1, 2, 0.0);
+  const auto clients = hub.clients(0.0);
+  ASSERT_EQ(clients.size(), 2u);
+  EXPECT_TRUE(clients[0].watches);
+  EXPECT_FALSE(clients[1].watches);
+}
+
 TEST(Hub, TellsWhoPublishesAndSubscribesToThoseWhoAskAndThenWhatChanged) {
   Hub hub("station", "1", {});
   hub.set_graph({{"/a", {{"planning"}, {"gate"}}}, {"/b", {{"mapping"}, {}}}});
