@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 
 #include "services/common/presets.hpp"
@@ -36,6 +37,19 @@ std::vector<std::string> other_vehicles(const std::vector<ForeignEndpoint>& endp
 std::string sentence_of(const ForeignEndpoint& e) {
   return fmt::format("a {} on {} will never match: {}.", e.writes ? "writer" : "reader", e.topic,
                      e.why);
+}
+
+// One sentence a participant: all of its topics would say the same.
+std::vector<std::string> other_versions(const Node& node) {
+  std::map<PeerId, std::string> names, sentences;
+  for (const auto& peer : node.peers()) names[peer.id] = peer.name;
+  for (const auto& e : node.endpoints())
+    if (!e.other_version.empty())
+      sentences.try_emplace(e.peer,
+                            fmt::format("{} on {}: {}", names[e.peer], e.topic, e.other_version));
+  std::vector<std::string> result;
+  for (const auto& [peer, sentence] : sentences) result.push_back(sentence);
+  return result;
 }
 
 }  // namespace
@@ -248,6 +262,8 @@ FlightSnapshot Listener::snapshot() {
   for (const auto& slot : slots_) p.flows.push_back(flow_of(slot.topic, *slot.stats, slot.rate_hz));
   p.other_vehicles = other_vehicles(node_.endpoints(), p.vehicle);
   fill_inputs(p);
+  p.clocks = simulated_clock_.writers();
+  p.other_versions = other_versions(node_);
   for (const auto& endpoint : node_.foreign_endpoints()) p.foreign.push_back(sentence_of(endpoint));
   return p;
 }
