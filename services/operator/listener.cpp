@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -18,6 +19,7 @@
 namespace foretrack {
 namespace {
 
+constexpr double kForget_s = 0.02;      // of a clock that was set anew, a second
 constexpr double kNoWallClock_s = 1e8;  // stamps before 1973 are simulated time
 
 // Every vehicle of ours has rt/<vehicle>/target/state.
@@ -105,12 +107,16 @@ Listener::Listener(Node& node, bool with_images)
 }
 
 void Listener::hear(const foretrack_msgs::msg::ServiceHealth& health) {
+  const bool first = !services_.contains(health.service().c_str());
   auto& heard = services_[health.service().c_str()];
   heard.report.health = health;
   heard.at_s = node_.clock().steady_s();
   const double stamp_s = to_seconds(health.header().stamp());
   const double now_s = stamp_s < kNoWallClock_s ? simulated_s_ : node_.clock().now_s();
-  heard.report.clock_ahead_s = now_s < 0.0 ? 0.0 : stamp_s - now_s;
+  if (now_s < 0.0) return;
+  // On its way a stamp only grows older: the youngest of the last ones tells most.
+  const double before_s = first ? stamp_s - now_s : heard.report.clock_ahead_s - kForget_s;
+  heard.report.clock_ahead_s = std::max(stamp_s - now_s, before_s);
 }
 
 template <class Topic, class Convert, class Take>

@@ -56,7 +56,7 @@ static bool print_reply(dds_entity_t reader) {
     printf("\"names\": [");
     for (uint32_t i = 0; i < reply->names._length; ++i)
       printf("%s\"%s\"", i > 0 ? ", " : "", reply->names._buffer[i]);
-    printf("]}\n");
+    printf("], ");
   }
   dds_return_loan(reader, &sample, 1);
   return ours;
@@ -81,12 +81,14 @@ int main(int argc, char **argv) {
   memset(&request, 0, sizeof request);
   request.client = CLIENT;
   request.number = NUMBER;
+  const dds_time_t asked = dds_time();
   dds_write(writer, &request);
   printf("{");
   print_told(reader, server);
   bool done = false;
-  while (!(done = print_reply(reader)) && dds_time() < end) dds_sleepfor(DDS_MSECS(5));
-  if (!done) printf("\"names\": null}\n");
+  while (!(done = print_reply(reader)) && dds_time() < end) dds_sleepfor(DDS_MSECS(1));
+  if (!done) printf("\"names\": null, ");
+  printf("\"ms\": %.1f}\n", (double)(dds_time() - asked) / 1e6);
   dds_delete(p);
   return done ? 0 : 1;
 }

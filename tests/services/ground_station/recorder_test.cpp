@@ -56,7 +56,9 @@ std::map<std::string, int> counts_of(const std::filesystem::path& file) {
 // offered.
 TEST(Recorder, RecordsOurTypesAsRos2KnowsThem) {
   const Folder folder;
-  Recorder recorder({.folder = folder.path});
+  RecorderOptions options;
+  options.folder = folder.path;
+  Recorder recorder(options);
   auto own = channel(1, "/uav1/target/state");
   own.type = "foretrack_msgs::msg::dds_::TargetState_";
   const auto* live = find_schema(own.type);
@@ -81,7 +83,8 @@ TEST(Recorder, RecordsOurTypesAsRos2KnowsThem) {
 
 TEST(Recorder, LeavesOutWhatItIsToldTo) {
   const Folder folder;
-  RecorderOptions options{.folder = folder.path};
+  RecorderOptions options;
+  options.folder = folder.path;
   options.leave_out = [](const Channel& c) { return c.topic == "/b"; };
   Recorder recorder(options);
   recorder.open(channel(1, "/a"));

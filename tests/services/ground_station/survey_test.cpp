@@ -13,11 +13,11 @@ constexpr char kOdometry[] = "nav_msgs::msg::dds_::Odometry_";
 
 ForeignEndpoint writer(std::string topic, std::string type, bool reliable = true,
                        bool latched = false) {
-  return {std::move(topic), std::move(type), false, true, "", reliable, latched};
+  return {std::move(topic), std::move(type), false, true, "", reliable, latched, {}, ""};
 }
 ForeignEndpoint reader(std::string topic, std::string type, bool reliable = true,
                        bool latched = false) {
-  return {std::move(topic), std::move(type), false, false, "", reliable, latched};
+  return {std::move(topic), std::move(type), false, false, "", reliable, latched, {}, ""};
 }
 
 TEST(Survey, CountsWritersAndReadersOfEachTopicOfRos) {
