@@ -14,7 +14,7 @@ install(PROGRAMS deploy/models/fetch.sh DESTINATION ${share}/deploy/models COMPO
 install(PROGRAMS deploy/packages/foretrack-fetch-models DESTINATION sbin COMPONENT program)
 install(FILES deploy/packages/vehicle.yaml DESTINATION ${share} COMPONENT program)
 install(FILES deploy/systemd/foretrack-gate@.service deploy/systemd/foretrack-stages@.service
-  deploy/systemd/foretrack-onboard@.target DESTINATION ${units} COMPONENT program)
+  deploy/systemd/foretrack-recorder@.service deploy/systemd/foretrack-onboard@.target DESTINATION ${units} COMPONENT program)
 install(DIRECTORY deploy/systemd/secured DESTINATION ${share}/systemd COMPONENT program)
 install(DIRECTORY idl DESTINATION ${share} COMPONENT core FILES_MATCHING PATTERN "*.idl"
   PATTERN "README.md")

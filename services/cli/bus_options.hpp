@@ -21,6 +21,7 @@ inline void add_bus_options(CLI::App& app, NodeOptions& options) {
       ->capture_default_str();
   add_network_options(app, options.interface, options.security);
   add_meeting_options(app, options.peers, options.discovery_server);
+  add_ros_option(app, options.ros_distro);
   const auto file = std::make_shared<std::string>();
   app.add_option("--config", *file, "File of the vehicle (YAML), whose keys are these options")
       ->check(CLI::ExistingFile);

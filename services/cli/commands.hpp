@@ -43,6 +43,7 @@ std::function<int()> prepare_replay(CLI::App& app);
 std::function<int()> prepare_report(CLI::App& app);
 std::function<int()> prepare_clip(CLI::App& app);
 std::function<int()> prepare_check(CLI::App& app);
+std::function<int()> prepare_black_box(CLI::App& app);
 std::function<int()> prepare_discovery_server(CLI::App& app);
 std::function<int()> prepare_security(CLI::App& app);
 

@@ -146,6 +146,7 @@ std::function<int()> prepare_demo(CLI::App& app) {
   app.add_option("--params", options.spec.params_file, "Parameter file (YAML)")
       ->check(CLI::ExistingFile);
   add_network_options(app, options.spec.interface, options.spec.security);
+  add_ros_option(app, options.spec.ros_distro);
   app.add_option("--domain", domain, "DDS domain; default: a free one")->check(CLI::Range(0, 232));
   return [arguments] { return run(*arguments); };
 }

@@ -99,6 +99,17 @@ int supervise(const std::vector<ProcessSpec>& processes, const std::string& log_
   return failed ? 1 : 0;
 }
 
+// It never ends a flight: where it cannot record, it says so.
+ProcessSpec black_box_process(const ServiceOptions& o) {
+  auto words = arguments_of(o);
+  words.insert(words.begin(), "black_box");
+  words.insert(words.end(), {"--record-gb", fmt::format("{}", o.record.limit_gb), "--record-days",
+                             fmt::format("{}", o.record.limit_days)});
+  if (!o.record.folder.empty()) words.insert(words.end(), {"--record-dir", o.record.folder});
+  if (o.record.images) words.push_back("--record-images");
+  return {.name = "black_box", .arguments = std::move(words), .always = true, .needed = false};
+}
+
 std::function<int()> prepare_onboard(CLI::App& app) {
   const auto o = add_stage_options(app);
   return [&app, o] {
@@ -112,8 +123,10 @@ std::function<int()> prepare_onboard(CLI::App& app) {
     auto stages = arguments_of(o->service);
     if (!o->with.mapping) stages.push_back("--no-mapping");
     if (!o->with.fleet) stages.push_back("--no-fleet");
-    return supervise({process("safety_gate", arguments_of(o->service)), process("stages", stages)},
-                     o->service.log_level);
+    std::vector<ProcessSpec> processes = {process("safety_gate", arguments_of(o->service)),
+                                          process("stages", stages)};
+    if (!o->service.record.off) processes.push_back(black_box_process(o->service));
+    return supervise(processes, o->service.log_level);
   };
 }
 
@@ -166,6 +179,7 @@ std::vector<Command> service_commands() {
           {"stages", "all services of the vehicle but the gate, in one process", prepare_stages},
           {"onboard", "the vehicle: the stages and the gate, each started again when it ends",
            prepare_onboard},
+          {"black_box", "what onboard records of each flight", prepare_black_box},
           {"check", "whether the vehicle would start with its file", prepare_check},
           {"simulator", "vehicle, cameras and person of a scenario", prepare_simulator}};
 }

@@ -4,15 +4,15 @@
 #include <unistd.h>
 
 #include <memory>
-#include <thread>
+#include <utility>
 
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
 #include "services/common/options.hpp"
+#include "services/common/time_now.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/share/share.hpp"
-#include "services/ground_station/bus/bus.hpp"
-#include "services/ground_station/recording/recorder.hpp"
+#include "services/ground_station/recording/record_bus.hpp"
 #include "services/ground_station/recording/recover.hpp"
 #include "services/ground_station/recording/replay.hpp"
 #include "services/ground_station/station.hpp"
@@ -61,6 +61,7 @@ void add_domain(CLI::App& app, StationArguments& arguments) {
   auto& node = arguments.options.node;
   add_network_options(app, node.interface, node.security);
   add_meeting_options(app, node.peers, node.discovery_server);
+  add_ros_option(app, node.ros_distro);
 }
 
 void add_server_options(CLI::App& app, StationArguments& arguments) {
@@ -130,30 +131,18 @@ int run_record(const RecordArguments& arguments) {
   options.node.service = "record";
   station::recover_recordings(options.recorder.folder);
   station::Recorder recorder(options.recorder);
-  const auto node = std::make_shared<Node>(options.node);
-  std::unique_ptr<station::Bus> bus;
-  bus = std::make_unique<station::Bus>(
-      node, station::Outlet{[&](const station::Channel& channel) {
-                              recorder.open(channel);
-                              bus->want(recorder.wanted());
-                            },
-                            [](std::uint32_t) {},
-                            [&](const auto& samples) { recorder.samples(samples); }});
-  if (const auto fault = recorder.start(); !fault.empty()) throw std::runtime_error(fault);
-  fmt::print("recording to {}; Ctrl-C ends it\n",
-             (options.recorder.folder / recorder.status()->file).string());
-  std::fflush(stdout);
-  std::thread timer([&] {
-    const double begin_s = node->clock().steady_s();
-    while (!stop.requested() && recorder.status()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      if (arguments.for_s > 0.0 && node->clock().steady_s() - begin_s >= arguments.for_s) break;
+  const double begin_s = steady_s();
+  bool told = false;
+  station::record_bus(std::make_shared<Node>(options.node), recorder, stop, [&] {
+    const auto status = recorder.status();
+    if (status && !std::exchange(told, true)) {
+      fmt::print("recording to {}; Ctrl-C ends it\n",
+                 (options.recorder.folder / status->file).string());
+      std::fflush(stdout);
     }
-    stop.request();
+    const bool over = arguments.for_s > 0.0 && steady_s() - begin_s >= arguments.for_s;
+    if (!status || over) stop.request();
   });
-  bus->run(stop);
-  timer.join();
-  recorder.stop();
   if (!recorder.fault().empty()) throw std::runtime_error(recorder.fault());
   return 0;
 }
@@ -172,6 +161,7 @@ int run_replay(const ReplayArguments& arguments) {
   options.node.service = "replay";
   Node node(options.node);
   const auto done = station::replay_onto_dds({replay, arguments.with_commands}, node, stop);
+  for (const auto& text : done.warnings) fmt::print(stderr, "{}\n", text);
   fmt::print("{} samples written\n", done.samples);
   if (!done.fault.empty()) fmt::print(stderr, "{}: {}\n", arguments.file, done.fault);
   return 0;

@@ -35,6 +35,7 @@ NodeOptions node_options(const FlightSpec& spec, const std::string& vehicle) {
   options.domain_id = spec.domain;
   options.interface = spec.interface;
   options.security = spec.security;
+  options.ros_distro = spec.ros_distro;
   return options;
 }
 
@@ -92,6 +93,7 @@ std::function<int()> prepare_up(CLI::App& app) {
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
   add_network_options(app, spec.interface, spec.security);
+  add_ros_option(app, spec.ros_distro);
   app.add_option("--speed", spec.speed, "Simulated seconds in a second")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();

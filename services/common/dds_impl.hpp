@@ -14,6 +14,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "services/common/discovery.hpp"
 #include "services/common/endpoint.hpp"
@@ -44,6 +45,8 @@ struct Node::Dds {
   std::string px4_release;
   std::mutex raw_mutex;  // raw endpoints may be made by several threads
   dds::DataWriter* ros_discovery = nullptr;
+  // Of services of ROS 2, announced besides the node's own.
+  std::vector<eprosima::fastrtps::rtps::GUID_t> shown_writers, shown_readers;
   mutable std::mutex error_mutex;
   std::string last_error;
 };

@@ -6,6 +6,7 @@
 
 #include "services/common/dds_impl.hpp"
 #include "services/common/time_now.hpp"
+#include "services/common/type_hash.hpp"
 
 namespace foretrack {
 namespace {
@@ -16,6 +17,12 @@ using eprosima::fastrtps::rtps::GUID_t;
 constexpr std::size_t kMaxSeen = 4096;
 
 template <class Info>
+ToldOfType told_by(const Info& info) {
+  const auto& told = info.m_qos.m_userData;
+  return read_told({told.begin(), told.end()});
+}
+
+template <class Info>
 ForeignEndpoint describe(const Info& info, bool writes) {
   return {info.topicName().to_string(),
           info.typeName().to_string(),
@@ -24,7 +31,8 @@ ForeignEndpoint describe(const Info& info, bool writes) {
           "",
           info.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS,
           info.m_qos.m_durability.kind >= dds::TRANSIENT_LOCAL_DURABILITY_QOS,
-          peer_of(info.guid())};
+          peer_of(info.guid()),
+          other_version(info.typeName().to_string(), told_by(info))};
 }
 
 }  // namespace
@@ -65,6 +73,9 @@ void DiscoveryWatch::see(const Guid& guid, ForeignEndpoint seen) {
   if (own && guid.guidPrefix == own->guid().guidPrefix) return;
   const std::lock_guard lock(mutex_);
   judge(seen);
+  if (!seen.other_version.empty() && versions_told_.size() < kMaxSeen &&
+      versions_told_.insert(seen.topic).second)
+    node_.report("on " + seen.topic + ", " + seen.other_version + ": it is misread");
   if (seen_.size() < kMaxSeen || seen_.contains(guid)) seen_[guid] = std::move(seen);
   ++changes;
 }

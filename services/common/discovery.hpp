@@ -8,6 +8,7 @@
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ class DiscoveryWatch : public dds::DomainParticipantListener {
   std::map<std::string, Expected> expected_;
   std::map<Guid, ForeignEndpoint> seen_;  // bounded
   std::map<PeerId, Peer> peers_;          // bounded
+  std::set<std::string> versions_told_;   // topics of which it was said
 };
 
 PeerId peer_of(const eprosima::fastrtps::rtps::GUID_t& guid);

@@ -7,6 +7,8 @@
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
 #include "services/common/dds_log.hpp"
+#include "services/common/px4_type.hpp"
+#include "services/common/type_hash.hpp"
 
 namespace foretrack {
 
@@ -57,6 +59,13 @@ std::string policy_name(dds::QosPolicyId_t id) {
   }
 }
 
+// Only where it is true: PX4's types change with its release.
+void tell_type(dds::UserDataQosPolicy& policy, const Node& node, const TypeOps& ops) {
+  if (Px4Type::is_needed(ops, node.options().names.px4_release)) return;
+  const auto told = told_of_type(ops.name);
+  policy.data_vec(told);
+}
+
 [[noreturn]] void no_profile(const TopicInfo& info) {
   throw std::runtime_error("qos/profiles.xml has no usable profile '" + std::string(info.profile) +
                            "' for topic " + std::string(info.name));
@@ -83,6 +92,7 @@ WriterCore::WriterCore(Node& node, const TopicInfo& info, const TypeOps& ops)
     no_profile(info);
   if (std::string_view(info.profile) == kMapFlow)
     qos.publish_mode().flow_controller_name = kMapFlow;
+  tell_type(qos.user_data(), node, ops);
   const auto mask = dds::StatusMask::publication_matched()
                     << dds::StatusMask::offered_incompatible_qos();
   dds->writer =
@@ -116,6 +126,7 @@ void ReaderCore::make_reader(bool best_effort) {
       ReturnCode_t::RETCODE_OK)
     no_profile(info_);
   if (best_effort) qos.reliability().kind = dds::BEST_EFFORT_RELIABILITY_QOS;
+  tell_type(qos.user_data(), node_, ops_);
   const auto mask = dds::StatusMask::subscription_matched()
                     << dds::StatusMask::requested_incompatible_qos()
                     << dds::StatusMask::sample_lost();
@@ -136,7 +147,7 @@ void ReaderCore::hear_best_effort() {
   stats.peers = 0;
   stats.incompatible_qos = 0;
   make_reader(true);
-  node_.announce();
+  if (node_.dds().ros_discovery) node_.announce();  // again
 }
 
 ReaderCore::~ReaderCore() = default;

@@ -14,6 +14,7 @@ namespace foretrack {
 namespace {
 
 constexpr double kLongestWait_s = 1.0;
+constexpr double kRetry_s = 0.01;  // where a client's reader is not there yet
 
 void add_timer_check(double period_s) {
   if (!(period_s > 0.0))
@@ -54,6 +55,8 @@ double Loop::wait_s() const {
   const double now = steady_s();
   for (const auto& timer : timers_)
     if (timer.wall || !node_.clock().simulated()) wait = std::min(wait, timer.next_s - now);
+  for (const auto* server : servers_)
+    if (server->waits()) wait = std::min(wait, kRetry_s);
   return std::max(wait, 0.0);
 }
 
@@ -61,6 +64,7 @@ void Loop::wake_up() {
   const double start = steady_s();
   node_.clock().update();
   for (const auto& handler : handlers_) guarded(handler);
+  for (auto* server : servers_) guarded([server] { server->update(); });
   for (auto& timer : timers_) run_timer(timer);
   const double ms = 1e3 * (steady_s() - start);
   ++stats_.loops;
@@ -68,22 +72,26 @@ void Loop::wake_up() {
   stats_.max_ms = std::max(stats_.max_ms, ms);
 }
 
+void Loop::let_best_effort_in(dds::WaitSet& wait_set) {
+  for (auto* reader : wakers_) {
+    if (!reader->wants_best_effort()) continue;
+    wait_set.detach_condition(reader->dds->reader->get_statuscondition());
+    reader->hear_best_effort();
+    wait_set.attach_condition(reader->dds->reader->get_statuscondition());
+  }
+}
+
 void Loop::run() {
-  node_.announce();
   dds::WaitSet wait_set;
   wait_set.attach_condition(stop_.dds().condition);
   if (auto* clock = node_.clock().reader()) wakers_.push_back(clock);
+  for (auto* server : servers_) wait_set.attach_condition(server->requests().condition());
   for (auto* reader : wakers_) {
     reader->waited_for = true;
     wait_set.attach_condition(reader->dds->reader->get_statuscondition());
   }
   while (!stop_.requested()) {
-    for (auto* reader : wakers_) {
-      if (!reader->wants_best_effort()) continue;
-      wait_set.detach_condition(reader->dds->reader->get_statuscondition());
-      reader->hear_best_effort();
-      wait_set.attach_condition(reader->dds->reader->get_statuscondition());
-    }
+    let_best_effort_in(wait_set);
     wake_up();
     dds::ConditionSeq active;
     const double wait = wait_s();
@@ -94,6 +102,7 @@ void Loop::run() {
     wait_set.detach_condition(reader->dds->reader->get_statuscondition());
     reader->waited_for = false;
   }
+  for (auto* server : servers_) wait_set.detach_condition(server->requests().condition());
   wait_set.detach_condition(stop_.dds().condition);
 }
 

@@ -8,7 +8,12 @@
 
 #include "services/common/node.hpp"
 #include "services/common/reader.hpp"
+#include "services/common/ros_server.hpp"
 #include "services/common/stop.hpp"
+
+namespace eprosima::fastdds::dds {
+class WaitSet;
+}
 
 namespace foretrack {
 
@@ -58,7 +63,10 @@ class Loop {
   /// The same by the steady clock, even in simulated time.
   void every_wall(double period_s, std::function<void()> callback);
 
-  /// Until the stop is requested. Announces the node to ROS 2 first.
+  /// Answers the requests of a service of ROS 2. It must outlive the loop.
+  void serve(RosServer& server) { servers_.push_back(&server); }
+
+  /// Until the stop is requested.
   void run();
 
   LoopStats take_stats();
@@ -79,11 +87,13 @@ class Loop {
   void wake_up();
   void run_timer(Timer& timer);
   double wait_s() const;
+  void let_best_effort_in(eprosima::fastdds::dds::WaitSet& wait_set);
 
   Node& node_;
   Stop& stop_;
   std::vector<std::function<void()>> handlers_;
   std::vector<ReaderCore*> wakers_;
+  std::vector<RosServer*> servers_;
   std::vector<Timer> timers_;
   LoopStats stats_;
 };

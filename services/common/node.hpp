@@ -24,20 +24,19 @@ struct ForeignEndpoint {
   bool keyed = false;
   bool writes = false;
   std::string why;
-  bool reliable = false;  // offers or asks for it
-  bool latched = false;   // transient local or more
-  PeerId peer{};          // whose it is
+  bool reliable = false;      // offers or asks for it
+  bool latched = false;       // transient local or more
+  PeerId peer{};              // whose it is
+  std::string other_version;  // what is wrong if its type is another one under our name
 };
-
-/// Whose node list we appear in: the ids in it have 24 bytes, or 16 from Iron on.
-enum class RosDistribution { kHumble, kIronOrLater };
 
 struct NodeOptions {
   std::string service;
   Names names;
   int domain_id = 0;
   bool use_sim_time = false;
-  RosDistribution ros = RosDistribution::kHumble;
+  /// Of ROS 2, in whose node list we appear: "humble"; empty: Iron and all later ones.
+  std::string ros_distro;
   /// The network interface's name, an address of it, or "any"; empty: the loopback one, unless the
   /// profile names others (its transports' interfaceWhiteList).
   std::string interface;

@@ -10,6 +10,7 @@
 
 #include "services/common/dds_log.hpp"
 #include "services/common/presets.hpp"
+#include "services/common/rosout.hpp"
 
 namespace foretrack {
 namespace {
@@ -54,6 +55,12 @@ void add_meeting_options(CLI::App& app, std::vector<std::string>& peers,
       ->envname("ROS_DISCOVERY_SERVER");
 }
 
+void add_ros_option(CLI::App& app, std::string& ros_distro) {
+  app.add_option("--ros-distro", ros_distro,
+                 "Distribution of ROS 2 whose node list shows this: humble, or a later one")
+      ->envname("ROS_DISTRO");
+}
+
 void add_names_options(CLI::App& app, Names& names) {
   app.add_option("--vehicle", names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
       ->capture_default_str();
@@ -81,6 +88,24 @@ void add_names_options(CLI::App& app, Names& names) {
                "Odometry counts as the map's, whatever frame it names");
 }
 
+namespace {
+
+void add_record_options(CLI::App& app, BlackBoxOptions& record) {
+  app.add_flag("--no-record", record.off, "onboard records nothing");
+  app.add_option("--record-dir", record.folder,
+                 "Folder of onboard's recordings; default: recordings in --state-dir");
+  app.add_option("--record-gb", record.limit_gb, "onboard's oldest recordings go beyond so many GB")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--record-days", record.limit_days, "onboard's recordings go after so many days")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--record-images", record.images,
+               "onboard records camera and depth images, too, with all who are in them");
+}
+
+}  // namespace
+
 void add_options(CLI::App& app, ServiceOptions& options) {
   auto& names = options.names;
   add_names_options(app, names);
@@ -103,8 +128,7 @@ void add_options(CLI::App& app, ServiceOptions& options) {
       "Where it sits in the body: x y z (m) roll pitch yaw (rad) of a camera that looks along x";
   app.add_option("--color-mount", options.color_mount, kMount)->expected(6);
   app.add_option("--depth-mount", options.depth_mount, kMount)->expected(6);
-  app.add_flag("--ros-iron", options.ros_iron_or_later,
-               "Appear in the node list of ROS 2 Iron and later, not of Humble");
+  add_ros_option(app, options.ros_distro);
   app.add_flag("--px4-odometry", options.px4_odometry,
                "safety_gate republishes PX4's estimate as the odometry of all, and as tf");
   app.add_flag(
@@ -124,6 +148,7 @@ void add_options(CLI::App& app, ServiceOptions& options) {
   app.add_option("--state-dir", options.state_folder,
                  "Folder in which safety_gate remembers its mission across a restart")
       ->capture_default_str();
+  add_record_options(app, options.record);
   app.add_option("--log-level", options.log_level, "debug, info, warning, error or off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
@@ -155,7 +180,7 @@ std::vector<std::string> arguments_of(const ServiceOptions& o) {
   add_mount("--color-mount", o.color_mount);
   add_mount("--depth-mount", o.depth_mount);
   add(o.use_sim_time, {"--use-sim-time"});
-  add(o.ros_iron_or_later, {"--ros-iron"});
+  add(!o.ros_distro.empty(), {"--ros-distro", o.ros_distro});
   add(o.px4_odometry, {"--px4-odometry"});
   add(o.dry_run, {"--dry-run"});
   return words;
@@ -163,7 +188,10 @@ std::vector<std::string> arguments_of(const ServiceOptions& o) {
 
 void set_up_logging(const std::string& level) {
   auto logger = spdlog::get("foretrack");
-  if (!logger) logger = spdlog::stderr_color_mt("foretrack");
+  if (!logger) {
+    logger = spdlog::stderr_color_mt("foretrack");
+    logger->sinks().push_back(rosout_sink());
+  }
   logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(logger);

@@ -13,6 +13,15 @@ class App;
 
 namespace foretrack {
 
+/// What the vehicle keeps of its flights.
+struct BlackBoxOptions {
+  bool off = false;
+  bool images = false;  // also camera and depth images, with all who are in them
+  std::string folder;   // empty: "recordings" in the state's folder
+  double limit_gb = 20.0;
+  double limit_days = 14.0;
+};
+
 struct ServiceOptions {
   Names names;
   /// Where a camera sits in the body (FLU), if no transforms shall be asked: x, y, z in metres,
@@ -20,9 +29,9 @@ struct ServiceOptions {
   std::vector<double> color_mount, depth_mount;
   int domain_id = 0;
   bool use_sim_time = false;
-  std::string params_file;    // empty: defaults
-  bool print_params = false;  // print the parameters as a file and leave
-  bool ros_iron_or_later = false;
+  std::string params_file;          // empty: defaults
+  bool print_params = false;        // print the parameters as a file and leave
+  std::string ros_distro;           // see NodeOptions
   bool px4_odometry = false;        // PX4's own estimate is the vehicle's odometry
   bool dry_run = false;             // nothing is sent to the flight controller
   std::string interface;            // of the network; empty: see NodeOptions
@@ -31,13 +40,16 @@ struct ServiceOptions {
   std::string discovery_server;     // see NodeOptions
   std::string fleet_frame = "map";  // of the odometry: vehicles that name the same one share it
   std::string state_folder;         // where the gate remembers its mission; empty: nowhere
+  BlackBoxOptions record;
   std::string config_file;  // of the vehicle, for what the command line does not say; may be empty
   std::string log_level = "info";
 };
 
 /// Those of add_names_options, and --config --domain --interface --security --peer
 /// --discovery-server --params --print-params --use-sim-time --clock-topic --color-mount
-/// --depth-mount --ros-iron --px4-odometry --dry-run --fleet-frame --state-dir --log-level. The
+/// --depth-mount --ros-distro --px4-odometry --dry-run --fleet-frame --state-dir --no-record
+/// --record-dir --record-gb --record-days
+/// --record-images --log-level. The
 /// domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
 /// $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
@@ -54,6 +66,9 @@ void add_network_options(CLI::App& app, std::string& interface, std::string& sec
 /// others are found where multicast does not pass.
 void add_meeting_options(CLI::App& app, std::vector<std::string>& peers,
                          std::string& discovery_server);
+
+/// --ros-distro (default $ROS_DISTRO): in whose node list this appears.
+void add_ros_option(CLI::App& app, std::string& ros_distro);
 
 /// The words that make the same options of another process.
 std::vector<std::string> arguments_of(const ServiceOptions& options);

@@ -4,16 +4,23 @@
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
 
+#include <algorithm>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
 #include "services/common/dds_log.hpp"
 #include "services/common/raw_type.hpp"
+#include "services/common/type_hash.hpp"
 
 namespace foretrack {
 namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using rtps::GUID_t;
 
 constexpr std::size_t kHeaderBytes = 4;
 
@@ -21,10 +28,37 @@ constexpr std::size_t kHeaderBytes = 4;
 struct QuietReader : dds::DataReaderListener {};
 struct QuietWriter : dds::DataWriterListener {
   std::atomic<int> readers = 0;
+  mutable std::mutex mutex;
+  std::set<GUID_t> matched;
   void on_publication_matched(dds::DataWriter*, const dds::PublicationMatchedStatus& s) override {
     readers = s.current_count;
+    const auto reader = rtps::iHandle2GUID(s.last_subscription_handle);
+    const std::lock_guard lock(mutex);
+    if (s.current_count_change > 0)
+      matched.insert(reader);
+    else
+      matched.erase(reader);
   }
 };
+
+std::array<std::uint8_t, 16> bytes_of(const GUID_t& guid) {
+  std::array<std::uint8_t, 16> bytes{};
+  std::copy_n(guid.guidPrefix.value, 12, bytes.begin());
+  std::copy_n(guid.entityId.value, 4, bytes.begin() + 12);
+  return bytes;
+}
+
+GUID_t guid_of(const std::array<std::uint8_t, 16>& bytes) {
+  GUID_t guid;
+  std::copy_n(bytes.begin(), 12, guid.guidPrefix.value);
+  std::copy_n(bytes.begin() + 12, 4, guid.entityId.value);
+  return guid;
+}
+
+void tell_type(dds::UserDataQosPolicy& policy, const RawTopic& topic) {
+  const auto told = told_of_type(topic.type);
+  policy.data_vec(told);
+}
 
 [[noreturn]] void refused(const RawTopic& topic, const std::string& what) {
   const std::string why = security_complaint();
@@ -56,6 +90,7 @@ dds::Topic* topic_of(Node::Dds& node, const RawTopic& topic) {
 
 struct RawReader::Dds {
   QuietReader listener;
+  Node::Dds* of_node = nullptr;
   dds::Subscriber* subscriber = nullptr;
   dds::DataReader* reader = nullptr;
 };
@@ -67,6 +102,8 @@ RawReader::RawReader(Node& node, const RawTopic& topic, const char* profile)
   dds::DataReaderQos qos;
   if (dds_->subscriber->get_datareader_qos_from_profile(profile, qos) != ReturnCode_t::RETCODE_OK)
     refused(topic, std::string("profile ") + profile + " for");
+  tell_type(qos.user_data(), topic);
+  dds_->of_node = &of_node;
   dds_->reader = dds_->subscriber->create_datareader(topic_of(of_node, topic), qos, &dds_->listener,
                                                      dds::StatusMask::none());
   if (!dds_->reader) refused(topic, "a reader of");
@@ -87,8 +124,29 @@ bool RawReader::take(CdrBytes& sample, PeerId* from) {
   }
 }
 
+bool RawReader::take_request(CdrBytes& sample, RequestId& from) {
+  while (true) {
+    dds::SampleInfo info;
+    if (dds_->reader->take_next_sample(&sample, &info) != ReturnCode_t::RETCODE_OK) return false;
+    if (!info.valid_data) continue;
+    from.writer = bytes_of(info.sample_identity.writer_guid());
+    from.reader = bytes_of(info.related_sample_identity.writer_guid());
+    from.number = static_cast<std::int64_t>(info.sample_identity.sequence_number().to64long());
+    return true;
+  }
+}
+
+void RawReader::show_to_ros() {
+  dds_->of_node->shown_readers.push_back(dds_->reader->guid());
+}
+
+dds::StatusCondition& RawReader::condition() {
+  return dds_->reader->get_statuscondition();
+}
+
 struct RawWriter::Dds {
   QuietWriter listener;
+  Node::Dds* of_node = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::DataWriter* writer = nullptr;
 };
@@ -100,6 +158,8 @@ RawWriter::RawWriter(Node& node, const RawTopic& topic, const char* profile)
   dds::DataWriterQos qos;
   if (dds_->publisher->get_datawriter_qos_from_profile(profile, qos) != ReturnCode_t::RETCODE_OK)
     refused(topic, std::string("profile ") + profile + " for");
+  tell_type(qos.user_data(), topic);
+  dds_->of_node = &of_node;
   dds_->writer = dds_->publisher->create_datawriter(topic_of(of_node, topic), qos, &dds_->listener,
                                                     dds::StatusMask::publication_matched());
   if (!dds_->writer) refused(topic, "a writer of");
@@ -111,6 +171,29 @@ RawWriter::~RawWriter() {
 
 bool RawWriter::write(const CdrBytes& sample) {
   return dds_->writer->write(const_cast<CdrBytes*>(&sample));
+}
+
+bool RawWriter::reply(const CdrBytes& sample, const RequestId& to) {
+  const auto number = static_cast<std::uint64_t>(to.number);
+  rtps::WriteParams params;
+  auto& identity = params.related_sample_identity();
+  identity.writer_guid(guid_of(to.reader == RequestId().reader ? to.writer : to.reader));
+  identity.sequence_number() = {static_cast<std::int32_t>(number >> 32),
+                                static_cast<std::uint32_t>(number)};
+  return dds_->writer->write(const_cast<CdrBytes*>(&sample), params);
+}
+
+bool RawWriter::reaches(const RequestId& asker) const {
+  const GUID_t writer = guid_of(asker.writer), reader = guid_of(asker.reader);
+  const std::lock_guard lock(dds_->listener.mutex);
+  const auto& matched = dds_->listener.matched;
+  if (asker.reader != RequestId().reader) return matched.contains(reader);
+  return std::any_of(matched.begin(), matched.end(),
+                     [&](const GUID_t& one) { return one.guidPrefix == writer.guidPrefix; });
+}
+
+void RawWriter::show_to_ros() {
+  dds_->of_node->shown_writers.push_back(dds_->writer->guid());
 }
 
 int RawWriter::readers() const {
@@ -125,11 +208,11 @@ RawWait::RawWait() : dds_(std::make_unique<Dds>()) {}
 RawWait::~RawWait() = default;
 
 void RawWait::add(RawReader& reader) {
-  dds_->set.attach_condition(reader.dds().reader->get_statuscondition());
+  dds_->set.attach_condition(reader.condition());
 }
 
 void RawWait::remove(RawReader& reader) {
-  dds_->set.detach_condition(reader.dds().reader->get_statuscondition());
+  dds_->set.detach_condition(reader.condition());
 }
 
 void RawWait::wait(double longest_s) {

@@ -2,6 +2,7 @@
 // Endpoints of any topic without its type: samples are CDR bytes, header included.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -11,6 +12,10 @@
 
 #include "services/common/peer.hpp"
 #include "services/common/type_ops.hpp"
+
+namespace eprosima::fastdds::dds {
+class StatusCondition;
+}
 
 namespace foretrack {
 
@@ -25,6 +30,13 @@ struct RawTopic {
   bool keyed = false;
 };
 
+/// Who asks a service, and which of its requests it is.
+struct RequestId {
+  std::array<std::uint8_t, 16> writer{};
+  std::array<std::uint8_t, 16> reader{};  // where it hears replies; zeros: it does not say
+  std::int64_t number = 0;
+};
+
 /// A node has at most one type for each topic and cannot have typed endpoints of it as well.
 class RawReader {
  public:
@@ -34,6 +46,12 @@ class RawReader {
   ~RawReader();
   /// False: nothing is left. `from`, if it is asked for: whose sample it is.
   bool take(CdrBytes& sample, PeerId* from = nullptr);
+  /// The same, of a service's requests.
+  bool take_request(CdrBytes& sample, RequestId& from);
+  /// Among the endpoints that the node announces to ROS 2.
+  void show_to_ros();
+  /// Of samples that came.
+  eprosima::fastdds::dds::StatusCondition& condition();
   Dds& dds() { return *dds_; }
 
  private:
@@ -48,6 +66,10 @@ class RawWriter {
   ~RawWriter();
   bool write(const CdrBytes& sample);
   int readers() const;
+  bool reply(const CdrBytes& sample, const RequestId& to);
+  /// Whether the one who asked, or another reader of its participant, is matched.
+  bool reaches(const RequestId& asker) const;
+  void show_to_ros();
 
  private:
   std::unique_ptr<Dds> dds_;

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/common/ros_graph.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
 
 #include "rmw_dds_common/msg/ParticipantEntitiesInfo.h"
-#include "rmw_dds_common/msg/ParticipantEntitiesInfo16.h"
+#include "rmw_dds_common/msg/ParticipantEntitiesInfo24.h"
 #include "services/common/dds_impl.hpp"
+#include "services/common/type_hash.hpp"
 
 namespace foretrack {
 namespace {
 
 using eprosima::fastrtps::rtps::GUID_t;
+
+bool has_long_ids(const Node& node) {
+  constexpr std::array<std::string_view, 3> kDistributions = {"foxy", "galactic", "humble"};
+  return std::ranges::find(kDistributions, node.options().ros_distro) != kDistributions.end();
+}
 
 // 12 bytes of prefix, 4 of entity id, zeros to the end.
 template <class Gid>
@@ -34,6 +43,10 @@ void write_info(Node& node) {
     ops.name = TypeName<rmw_dds_common::msg::ParticipantEntitiesInfo>::value;
     dds::DataWriterQos qos;
     of_node.publisher->get_datawriter_qos_from_profile("latched", qos);
+    if (!has_long_ids(node)) {  // Humble tells no hashes
+      const auto told = told_of_type(ops.name);
+      qos.user_data().data_vec(told);
+    }
     of_node.ros_discovery =
         of_node.publisher->create_datawriter(of_node.topic(kRosGraphTopic, ops), qos);
   }
@@ -46,6 +59,10 @@ void write_info(Node& node) {
     entities.writer_gid_seq().push_back(gid_of<Gid>(w->dds->writer->guid()));
   for (const auto& r : node.readers())
     entities.reader_gid_seq().push_back(gid_of<Gid>(r->dds->reader->guid()));
+  for (const auto& guid : of_node.shown_writers)
+    entities.writer_gid_seq().push_back(gid_of<Gid>(guid));
+  for (const auto& guid : of_node.shown_readers)
+    entities.reader_gid_seq().push_back(gid_of<Gid>(guid));
   info.node_entities_info_seq().push_back(entities);
   if (of_node.ros_discovery) of_node.ros_discovery->write(&info);
 }
@@ -53,10 +70,10 @@ void write_info(Node& node) {
 }  // namespace
 
 void announce_to_ros(Node& node) {
-  if (node.options().ros == RosDistribution::kHumble)
-    write_info<rmw_dds_common::msg::ParticipantEntitiesInfo>(node);
+  if (has_long_ids(node))
+    write_info<rmw_dds_common::msg::ParticipantEntitiesInfo24>(node);
   else
-    write_info<rmw_dds_common::msg::ParticipantEntitiesInfo16>(node);
+    write_info<rmw_dds_common::msg::ParticipantEntitiesInfo>(node);
 }
 
 }  // namespace foretrack

@@ -10,7 +10,7 @@ class Node;
 inline constexpr char kRosGraphTopic[] = "ros_discovery_info";
 
 /// Writes the node's endpoints to ros_discovery_info, in the layout of the distribution that the
-/// node's options name.
+/// node's options name: Humble and older have ids of 24 bytes, Iron and later of 16.
 void announce_to_ros(Node& node);
 
 }  // namespace foretrack

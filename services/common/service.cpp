@@ -9,33 +9,78 @@ namespace {
 constexpr double kHealthPeriod_s = 1.0;
 
 NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
-  const auto ros =
-      options.ros_iron_or_later ? RosDistribution::kIronOrLater : RosDistribution::kHumble;
   return {name,
           options.names,
           options.domain_id,
           options.use_sim_time,
-          ros,
+          options.ros_distro,
           options.interface,
           options.security,
           options.peers,
           options.discovery_server};
 }
 
+// What ROS 2's tools expect of every node, and the level of the log, which may change in flight.
+void add_own(Parameters& parameters, bool use_sim_time) {
+  using namespace rcl_interfaces::msg::ParameterValue_Constants;
+  Parameters::Parameter sim;
+  sim.descriptor.name("use_sim_time");
+  sim.descriptor.type(PARAMETER_BOOL);
+  sim.descriptor.description("the time comes from the clock topic");
+  sim.descriptor.read_only(true);
+  sim.descriptor.additional_constraints("an option of the service (--use-sim-time)");
+  sim.get = [use_sim_time] {
+    Parameters::Value value;
+    value.type(PARAMETER_BOOL);
+    value.bool_value(use_sim_time);
+    return value;
+  };
+  parameters.add(std::move(sim));
+  Parameters::Parameter debug;
+  debug.descriptor.name("debug_log");
+  debug.descriptor.type(PARAMETER_BOOL);
+  debug.descriptor.description("log lines of the level debug are written, too");
+  debug.get = [] {
+    Parameters::Value value;
+    value.type(PARAMETER_BOOL);
+    value.bool_value(spdlog::default_logger()->level() <= spdlog::level::debug);
+    return value;
+  };
+  debug.set = [](const Parameters::Value& value) {
+    spdlog::default_logger()->set_level(value.bool_value() ? spdlog::level::debug
+                                                           : spdlog::level::info);
+  };
+  parameters.add(std::move(debug));
+}
+
 }  // namespace
 
 Service::Service(const std::string& name, const ServiceOptions& options, Stop& stop)
-    : options_(options), node_(node_options(name, options)), loop_(node_, stop), health_(node_) {
-  loop_.every_wall(kHealthPeriod_s, [this] { health_.publish(loop_.take_stats(), false); });
+    : options_(options),
+      node_(node_options(name, options)),
+      loop_(node_, stop),
+      health_(node_),
+      rosout_(node_) {
+  add_own(parameters_, options.use_sim_time);
+  loop_.every_wall(kHealthPeriod_s, [this] {
+    health_.publish(loop_.take_stats(), false);
+    rosout_.publish();
+  });
 }
 
 void Service::run() {
   const auto& options = node_.options();
+  // Permissions of a secured bus name topics, not services.
+  if (!node_.secured()) server_.emplace(node_, parameters_);
+  if (server_)
+    for (const auto& server : server_->servers()) loop_.serve(*server);
+  node_.announce();
   spdlog::info("{}: runs for {} in domain {}", options.service, options.names.vehicle,
                options.domain_id);
   loop_.run();
   health_.publish(loop_.take_stats(), true);
   spdlog::info("{}: stopped", options.service);
+  rosout_.publish();
 }
 
 }  // namespace foretrack

@@ -250,6 +250,17 @@ struct Px4VehicleCommand {
   static constexpr TopicInfo info{"fmu/in/vehicle_command", Scope::kPx4, "command", kGate};
 };
 
+// what ROS 2's tools look for beside the topics
+struct Rosout {
+  using Type = rcl_interfaces::msg::Log;
+  static constexpr TopicInfo info{"rosout", Scope::kShared, "log", kVehicle | kGate | kSimulator};
+};
+struct ParameterEvents {
+  using Type = rcl_interfaces::msg::ParameterEvent;
+  static constexpr TopicInfo info{"parameter_events", Scope::kShared, "command",
+                                  kVehicle | kGate | kSimulator};
+};
+
 /// All of them, for the tests and the monitor.
 using All =
     std::tuple<TargetObservation, DepthImage, DepthCameraInfo, ColorImage, ColorImageCompressed,
@@ -258,9 +269,9 @@ using All =
                MissionCommand, ServiceHealth, BodySightings, MovingBodies, TargetChoice,
                GroundImage, GroundVideo, GroundCameraInfo, FleetMember, FleetDivision, FleetBodies,
                FleetTarget, PredictionPath, PlanPath, Markers, Transforms, StaticTransforms,
-               Diagnostics, TargetTruth, VehicleTruth, Px4VehicleOdometry, Px4VehicleStatus,
-               Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus, Px4HomePosition,
-               Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint, Px4TimesyncStatus,
-               Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+               Diagnostics, Rosout, ParameterEvents, TargetTruth, VehicleTruth, Px4VehicleOdometry,
+               Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
+               Px4HomePosition, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
+               Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
 
 }  // namespace foretrack::topics

@@ -59,6 +59,7 @@ Json json_of(const VehicleReport& v, const MissionStatus* mission) {
   return {
       {"name", v.name},
       {"seen_s_ago", v.seen_s_ago < 0.0 ? Json() : Json(v.seen_s_ago)},
+      {"clock_ahead_s", v.clock_ahead_s ? Json(*v.clock_ahead_s) : Json()},
       {"lease", lease_of(mission)},
       {"last_command", command_of(mission)},
       {"unconfirmed", unconfirmed_of(mission)},

@@ -19,6 +19,7 @@ ProcessSpec process(const std::string& name, const FlightSpec& spec) {
   };
   pass_on("--interface", spec.interface);
   pass_on("--security", spec.security);
+  pass_on("--ros-distro", spec.ros_distro);
   return result;
 }
 

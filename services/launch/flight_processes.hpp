@@ -31,6 +31,7 @@ struct FlightSpec {
   int domain = 0;
   std::string interface;     // of the network; empty: this machine alone
   std::string security;      // folder of the identity that all of them have; empty: none
+  std::string ros_distro;    // of ROS 2, in whose node list they appear; empty: Iron and later
   std::string params_file;   // of the stages; empty: defaults
   std::string state_folder;  // of the gate; what a former flight left there is removed
 };

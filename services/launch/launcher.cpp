@@ -113,8 +113,9 @@ int Launcher::restarts() const {
 }
 
 bool Launcher::any_given_up() const {
-  return std::any_of(processes_.begin(), processes_.end(),
-                     [](const Process& process) { return process.given_up; });
+  return std::any_of(processes_.begin(), processes_.end(), [](const Process& process) {
+    return process.given_up && process.spec.needed;
+  });
 }
 
 void Launcher::start(Process& process) {

@@ -17,6 +17,7 @@ struct ProcessSpec {
   std::vector<std::string> arguments;  // behind the program's name: subcommand and options
   bool restart = true;                 // after a crash
   bool always = false;                 // also when it ends without one
+  bool needed = true;                  // the others are of no use without it
 };
 
 /// A process under the launcher's care.
@@ -55,7 +56,8 @@ class Launcher {
 
   const std::vector<Process>& processes() const { return processes_; }
   int restarts() const;
-  /// A process ended for good: done, refused its arguments, or is not to be started again.
+  /// A process that is needed ended for good: done, refused its arguments, or is not to be started
+  /// again.
   bool any_given_up() const;
   std::filesystem::path log_of(const std::string& name) const;
   /// The log's last lines, to show with a crash.

@@ -196,6 +196,21 @@ void check_service(const ServiceReport& report, std::vector<Finding>& findings) 
   }
 }
 
+// What they say of themselves once a second bears their clock; on its way it grows older.
+Finding clocks(const FlightSnapshot& p) {
+  double worst_s = 0.0;
+  for (const auto& service : p.services)
+    if (std::abs(service.clock_ahead_s) > std::abs(worst_s)) worst_s = service.clock_ahead_s;
+  return fine("set-up", fmt::format("the services' clocks and this one differ by {:+.3f} s at most",
+                                    worst_s));
+}
+
+void check_versions(const FlightSnapshot& p, std::vector<Finding>& findings) {
+  for (const auto& sentence : p.other_versions)
+    findings.push_back(fault("set-up", sentence + ": it is misread.",
+                             "Install the same version of foretrack, or of the messages, on all."));
+}
+
 }  // namespace
 
 std::vector<Finding> diagnose(const FlightSnapshot& p) {
@@ -220,7 +235,13 @@ std::vector<Finding> diagnose(const FlightSnapshot& p) {
                             "Others: --interface NAME, ADDRESS or any, on both sides."));
   if (!p.unsecured.empty())
     findings.push_back(note("set-up", p.unsecured + '.', "SECURITY.md says what helps."));
+  check_versions(p, findings);
+  if (p.clocks > 1)
+    findings.push_back(fault("set-up",
+                             fmt::format("{} simulators write one clock, which jumps.", p.clocks),
+                             "Give each a --clock-topic of its own, and its services the same."));
   for (const auto& service : p.services) check_service(service, findings);
+  if (!p.services.empty()) findings.push_back(clocks(p));
   const auto* map = p.flow("map/local");
   const bool map_comes = map && map->samples > 0 && (p.map_is_static || map->age_s < 2.0);
   for (auto& finding : check_inputs(p, map_comes)) findings.push_back(std::move(finding));

@@ -57,8 +57,10 @@ struct FlightSnapshot {
   const foretrack_msgs::msg::SafetyState* safety = nullptr;
   std::vector<ServiceReport> services;  // by name
   std::vector<TopicFlow> flows;
-  bool map_is_static = false;        // a known map, sent once
-  std::vector<std::string> foreign;  // endpoints that can never match, one sentence each
+  bool map_is_static = false;               // a known map, sent once
+  int clocks = 0;                           // that write simulated time
+  std::vector<std::string> other_versions;  // whose types are others than ours, a sentence each
+  std::vector<std::string> foreign;         // endpoints that can never match, one sentence each
 
   std::vector<std::string> other_vehicles;                     // whose topics discovery tells of
   bool simulated = false;                                      // a simulator is heard

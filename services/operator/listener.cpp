@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "services/common/presets.hpp"
@@ -17,6 +19,7 @@
 namespace foretrack {
 namespace {
 
+constexpr double kForget_s = 0.02;      // of a clock that was set anew, a second
 constexpr double kNoWallClock_s = 1e8;  // stamps before 1973 are simulated time
 
 // Every vehicle of ours has rt/<vehicle>/target/state.
@@ -36,6 +39,19 @@ std::vector<std::string> other_vehicles(const std::vector<ForeignEndpoint>& endp
 std::string sentence_of(const ForeignEndpoint& e) {
   return fmt::format("a {} on {} will never match: {}.", e.writes ? "writer" : "reader", e.topic,
                      e.why);
+}
+
+// One sentence a participant: all of its topics would say the same.
+std::vector<std::string> other_versions(const Node& node) {
+  std::map<PeerId, std::string> names, sentences;
+  for (const auto& peer : node.peers()) names[peer.id] = peer.name;
+  for (const auto& e : node.endpoints())
+    if (!e.other_version.empty())
+      sentences.try_emplace(e.peer,
+                            fmt::format("{} on {}: {}", names[e.peer], e.topic, e.other_version));
+  std::vector<std::string> result;
+  for (const auto& [peer, sentence] : sentences) result.push_back(sentence);
+  return result;
 }
 
 }  // namespace
@@ -91,12 +107,16 @@ Listener::Listener(Node& node, bool with_images)
 }
 
 void Listener::hear(const foretrack_msgs::msg::ServiceHealth& health) {
+  const bool first = !services_.contains(health.service().c_str());
   auto& heard = services_[health.service().c_str()];
   heard.report.health = health;
   heard.at_s = node_.clock().steady_s();
   const double stamp_s = to_seconds(health.header().stamp());
   const double now_s = stamp_s < kNoWallClock_s ? simulated_s_ : node_.clock().now_s();
-  heard.report.clock_ahead_s = now_s < 0.0 ? 0.0 : stamp_s - now_s;
+  if (now_s < 0.0) return;
+  // On its way a stamp only grows older: the youngest of the last ones tells most.
+  const double before_s = first ? stamp_s - now_s : heard.report.clock_ahead_s - kForget_s;
+  heard.report.clock_ahead_s = std::max(stamp_s - now_s, before_s);
 }
 
 template <class Topic, class Convert, class Take>
@@ -248,6 +268,8 @@ FlightSnapshot Listener::snapshot() {
   for (const auto& slot : slots_) p.flows.push_back(flow_of(slot.topic, *slot.stats, slot.rate_hz));
   p.other_vehicles = other_vehicles(node_.endpoints(), p.vehicle);
   fill_inputs(p);
+  p.clocks = simulated_clock_.writers();
+  p.other_versions = other_versions(node_);
   for (const auto& endpoint : node_.foreign_endpoints()) p.foreign.push_back(sentence_of(endpoint));
   return p;
 }

@@ -30,6 +30,8 @@
 #include "px4_msgs/msg/VehicleLocalPosition.h"
 #include "px4_msgs/msg/VehicleOdometry.h"
 #include "px4_msgs/msg/VehicleStatus.h"
+#include "rcl_interfaces/msg/Log.h"
+#include "rcl_interfaces/msg/ParameterEvent.h"
 #include "rosgraph_msgs/msg/Clock.h"
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/CompressedImage.h"

@@ -58,7 +58,6 @@ void SimulatorService::add_vehicles(Service& service) {
     vehicles_.push_back(std::make_unique<SimulatedVehicle>(
         i > 0 ? *nodes_.back() : service.node(),
         make_simulator(one, options_.person, options_.bystanders)));
-    if (i > 0) nodes_.back()->announce();
   }
 }
 

@@ -172,7 +172,7 @@ TEST(Topics, FollowTheNamesOfPx4sReleasesAndVehicles) {
 
 TEST(Topics, HaveProfilesThatTheFileDefinesForBothSides) {
   const std::string xml = text_of_file(fs::path(FORETRACK_SOURCE_DIR) / "qos" / "profiles.xml");
-  for (const std::string name : {"sensor", "image", "state", "latched", "command", "map"}) {
+  for (const std::string name : {"sensor", "image", "state", "latched", "log", "command", "map"}) {
     EXPECT_TRUE(contains(xml, "data_writer profile_name=\"" + name + "\"")) << name;
     EXPECT_TRUE(contains(xml, "data_reader profile_name=\"" + name + "\"")) << name;
   }

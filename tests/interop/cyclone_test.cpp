@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages speak with a participant of another vendor, built from the same IDL files.
+#include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "services/launch/domain.hpp"
 #include "tests/system/program.hpp"
@@ -75,6 +78,22 @@ TEST(Cyclone, DoctorNamesAForeignType) {
   EXPECT_NE(cause.find("a writer on rt/uav1/target/state will never match"), std::string::npos)
       << cause;
   EXPECT_NE(cause.find("TargetIntention_"), std::string::npos) << cause;
+}
+
+// As `ros2 param list` does on rmw_cyclonedds.
+TEST(Cyclone, AsksANodeForItsParametersAndHearsTheHashOfItsTypes) {
+  const FreeDomain domain;
+  const std::string id = std::to_string(domain.id());
+  Folder folder;
+  Program gate({"safety_gate", "--domain", id, "--state-dir", folder.path.string()},
+               folder.path / "gate");
+  Program asker({id, "uav1/safety_gate", "30"}, folder.path / "asker", INTEROP_ASKER);
+  EXPECT_EQ(asker.wait(40.0), 0) << asker.output() << text_of(folder.path / "gate");
+  const auto heard = Json::parse(asker.output());
+  const auto names = heard["names"].get<std::vector<std::string>>();
+  for (const char* name : {"use_sim_time", "safety.plan_fresh_s"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  EXPECT_EQ(heard["told"].get<std::string>().find("typehash=RIHS01_"), 0u) << heard["told"];
 }
 
 TEST(Cyclone, DoctorTellsWhatPerceptionRejects) {

@@ -39,8 +39,8 @@ class OnboardProcesses : public ::testing::Test {
   Program simulator_{on_domain({"simulator", "--scenario", "open_field", "--map", "known",
                                 "--endless", "--people-wait", "60"}),
                      folder_.path / "simulator"};
-  Program onboard_{on_domain({"onboard", "--no-mapping", "--use-sim-time", "--state-dir",
-                              (folder_.path / "state").string()}),
+  Program onboard_{on_domain({"onboard", "--no-mapping", "--no-record", "--use-sim-time",
+                              "--state-dir", (folder_.path / "state").string()}),
                    folder_.path / "onboard"};
 };
 

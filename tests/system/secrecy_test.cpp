@@ -197,6 +197,7 @@ class Secrecy : public ::testing::Test {
   Node node_{{.service = "listener",
               .names = {},
               .domain_id = domain_.id(),
+              .ros_distro = {},
               .interface = {},
               .security = {},
               .peers = {},

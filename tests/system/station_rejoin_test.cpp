@@ -109,8 +109,8 @@ TEST_F(Rejoin, AStationThatVehiclesForgotHearsAndOrdersAgain) {
   Program world(on_domain({"simulator", "--scenario", "t_intersection", "--map", "known",
                            "--endless", "--people-wait", "60"}),
                 folder_.path / "simulator");
-  Program onboard(on_domain({"onboard", "--no-mapping", "--use-sim-time", "--state-dir",
-                             (folder_.path / "state").string()}),
+  Program onboard(on_domain({"onboard", "--no-mapping", "--no-record", "--use-sim-time",
+                             "--state-dir", (folder_.path / "state").string()}),
                   folder_.path / "onboard");
   Station station(on_domain({"station", "--enable-control", "--recordings",
                              (folder_.path / "recordings").string()}),

@@ -47,7 +47,7 @@ HIDDEN = {"services/common/dds_impl.hpp"}
 
 # What runs for long on a vehicle or beside it, and what its unit says: started again at once, for ever,
 # as nobody, within bounds.
-SERVED = ("safety_gate", "stages", "station")
+SERVED = ("safety_gate", "stages", "black_box", "station")
 UNIT_SAYS = ("Restart=always", "RestartSec=0", "StartLimitIntervalSec=0", "DynamicUser=yes",
              "NoNewPrivileges=yes", "ProtectSystem=strict", "MemoryMax=", "SystemCallFilter=")
 MOST_EXPOSED = "2.0"  # of systemd-analyze security; 10 is worst

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "services/common/topics.hpp"
+#include "services/ground_station/bus/bus_warnings.hpp"
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/schemas/schemas.hpp"
 
@@ -55,14 +56,6 @@ std::vector<std::string> names_of(const std::set<PeerId>& peers,
   for (const auto& peer : peers)
     if (const auto it = names.find(peer); it != names.end()) result.push_back(it->second);
   std::sort(result.begin(), result.end());
-  return result;
-}
-
-std::vector<std::string> warnings_of(const Node& node) {
-  std::vector<std::string> result;
-  if (const char* unsecured = node.why_unsecured(); *unsecured) result.emplace_back(unsecured);
-  for (const auto& [reason, messages] : node.wire().refused_by_reason())
-    result.push_back(fmt::format("{} × refused on the network: {}", messages, reason));
   return result;
 }
 
@@ -117,6 +110,7 @@ void Bus::open(const std::string& name, Topic& topic, double now_s) try {
       *node_, RawTopic{name, topic.found.type, topic.found.keyed}, topic.found.profile);
   wait_.add(*topic.reader);
   topic.opened_s = now_s;
+  topic.tells_clock = name.ends_with("/health");
   topic.resting = false;
   if (topic.open) return;
   if (topic.channel.type != topic.found.type)
@@ -204,6 +198,8 @@ void Bus::take(double now_s) {
       ++topic.samples;
       topic.bytes += spare_->size();
       topic.last_s = now_s;
+      if (topic.tells_clock)
+        if (const auto ahead_s = clock_ahead_s(*spare_, log_time_ns)) topic.ahead_s = ahead_s;
       batch_.push_back({topic.channel.id, log_time_ns, std::move(spare_)});
       spare_ = std::make_shared<Bytes>();
     }
@@ -213,7 +209,7 @@ void Bus::take(double now_s) {
 
 void Bus::publish(double now_s) {
   std::vector<TopicReport> topics;
-  std::map<std::string, double> vehicles;
+  std::map<std::string, double> vehicles, clocks_ahead_s;
   std::map<PeerId, std::string> names;
   for (const auto& peer : node_->peers()) names[peer.id] = peer.name;
   for (const auto& [name, t] : topics_) {
@@ -223,6 +219,7 @@ void Bus::publish(double now_s) {
     if (!vehicle.empty()) {
       auto& last_s = vehicles.try_emplace(vehicle, -1.0).first->second;
       last_s = std::max(last_s, t.last_s);
+      if (t.ahead_s) clocks_ahead_s[vehicle] = *t.ahead_s;
     }
     topics.push_back({t.open ? t.channel.id : 0, tool_name(name), readable_type(t.found.type),
                       vehicle, t.found.writers, t.found.readers, t.rate_hz, t.bytes_s,
@@ -232,10 +229,14 @@ void Bus::publish(double now_s) {
   }
   const std::lock_guard lock(mutex_);
   topic_reports_ = std::move(topics);
-  warnings_ = warnings_of(*node_);
+  warnings_ = warnings_of(*node_, clocks_ahead_s);
   vehicle_reports_.clear();
-  for (const auto& [name, last_s] : vehicles)
-    vehicle_reports_.push_back({name, last_s < 0.0 ? -1.0 : now_s - last_s});
+  for (const auto& [name, last_s] : vehicles) {
+    VehicleReport report{name, last_s < 0.0 ? -1.0 : now_s - last_s, {}};
+    if (const auto it = clocks_ahead_s.find(name); it != clocks_ahead_s.end())
+      report.clock_ahead_s = it->second;
+    vehicle_reports_.push_back(std::move(report));
+  }
 }
 
 std::string Bus::reason_to_rejoin(double now_s) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -58,6 +59,8 @@ class Bus : public Source {
     double opened_s = 0.0;  // the reader
     double last_s = -1.0;   // sample
     double alone_s = -1.0;  // since when nobody writes
+    bool tells_clock = false;
+    std::optional<double> ahead_s;  // its writer's clock
     bool open = false, resting = false, refused = false;
   };
   void look(double now_s);

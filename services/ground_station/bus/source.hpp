@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct TopicReport {
 
 struct VehicleReport {
   std::string name;
-  double seen_s_ago = -1.0;  // since any sample; negative: none yet
+  double seen_s_ago = -1.0;             // since any sample; negative: none yet
+  std::optional<double> clock_ahead_s;  // of this machine's clock; none: not known, or simulated
 };
 
 /// Calls its outlet in run()'s thread; the rest may be called from any.

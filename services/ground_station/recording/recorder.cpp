@@ -13,21 +13,43 @@
 #include <ctime>
 
 #include "core/version.hpp"
+#include "services/common/type_hash.hpp"
 #include "services/ground_station/mcap/writer.hpp"
+#include "services/ground_station/schemas/schemas.hpp"
 
 namespace foretrack::station {
 namespace {
 
 constexpr double kChunk_s = 1.0;  // at most so much is lost by a kill
 
+// As rosbag2 has it, in numbers, which every version of it reads.
+std::string offered_qos(std::string_view profile) {
+  constexpr const char* kForEver = "{sec: 9223372036, nsec: 854775807}";
+  const bool latched = profile == "latched" || profile == "log" || profile == "map";
+  return fmt::format(
+      "- {{history: 1, depth: 10, reliability: {}, durability: {}, deadline: {}, lifespan: {}, "
+      "liveliness: 1, liveliness_lease_duration: {}, avoid_ros_namespace_conventions: false}}\n",
+      profile == "sensor" ? 2 : 1, latched ? 1 : 2, kForEver, kForEver, kForEver);
+}
+
+// What ROS 2 knows, it finds under its own names; what others read live has another form of it.
 mcap::ChannelInfo info_of(const Channel& c) {
-  const bool known = !c.schema_encoding.empty();
-  return {c.topic,
-          c.encoding,
-          known ? c.schema_name : "",
-          c.schema_encoding,
-          c.schema,
-          {{"dds_topic", c.wire}, {"dds_type", c.type}, {"qos_profile", c.profile}}};
+  mcap::ChannelInfo info{c.topic,
+                         c.encoding,
+                         c.schema_encoding.empty() ? "" : c.schema_name,
+                         c.schema_encoding,
+                         c.schema,
+                         {{"dds_topic", c.wire}, {"dds_type", c.type}, {"qos_profile", c.profile}}};
+  const auto* ros = find_ros_schema(c.type);
+  const auto* live = find_schema(c.type);
+  if (ros && c.schema == live->text) {  // not of a recording that is of another version
+    info.schema_name = ros->name;
+    info.schema_encoding = ros->encoding;
+    info.schema = ros->text;
+    info.metadata["topic_type_hash"] = type_hash_of(c.type);
+  }
+  if (c.encoding == "cdr") info.metadata["offered_qos_profiles"] = offered_qos(c.profile);
+  return info;
 }
 
 std::size_t bytes_of(const std::vector<Sample>& samples) {
@@ -78,6 +100,7 @@ Recorder::~Recorder() {
 }
 
 bool Recorder::wants(const Channel& channel) const {
+  if (options_.leave_out && options_.leave_out(channel)) return false;
   return options_.topics.empty() ||
          std::any_of(options_.topics.begin(), options_.topics.end(), [&](const std::string& part) {
            return channel.topic.find(part) != std::string::npos;

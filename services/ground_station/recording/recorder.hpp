@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -21,6 +22,7 @@ namespace foretrack::station {
 struct RecorderOptions {
   std::filesystem::path folder = "recordings";
   std::vector<std::string> topics;  // only those that contain one of these; empty: all
+  std::function<bool(const Channel&)> leave_out;  // none: nothing is left out
   std::uint64_t split_bytes = 1ull << 30;
   std::size_t queue_bytes = 32u << 20;  // what a slow disk may leave waiting; more is lost
   std::map<std::string, std::map<std::string, std::string>> metadata;  // by name

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "services/ground_station/recording/replay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
@@ -10,6 +13,7 @@
 #include "services/common/raw.hpp"
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/mcap/reader.hpp"
+#include "services/ground_station/schemas/schemas.hpp"
 
 namespace foretrack::station {
 namespace {
@@ -59,6 +63,36 @@ Channel channel_of(std::uint16_t id, const mcap::ChannelInfo& info) {
   if (!of_rosbag) c.profile = value_of(info.metadata, "qos_profile");
   c.latched = c.profile == "latched";
   return c;
+}
+
+struct Recorded {
+  Channel channel;
+  RecordedType type = RecordedType::kUnknown;
+};
+
+// What is as today is shown to clients as live samples are.
+Recorded recorded_of(std::uint16_t id, const mcap::ChannelInfo& info) {
+  Recorded result{channel_of(id, info)};
+  auto& c = result.channel;
+  result.type = compare_recorded(c.type, value_of(info.metadata, "topic_type_hash"), c.schema);
+  if (result.type != RecordedType::kSame) return result;
+  const auto* live = find_schema(c.type);
+  c.schema_name = live->name;
+  c.schema_encoding = live->encoding;
+  c.schema = live->text;
+  return result;
+}
+
+// Empty: none is needed. Of types that are not ours the distribution of ROS 2 may be another one.
+std::string version_warning(const Recorded& recorded, const mcap::Reader& reader) {
+  if (recorded.type != RecordedType::kOlder && recorded.type != RecordedType::kOther) return {};
+  const auto of_writer = reader.metadata().find("foretrack");
+  const std::string by =
+      of_writer == reader.metadata().end() ? "" : value_of(of_writer->second, "version");
+  return fmt::format(
+      "{} was recorded with another version of {}{}{}", recorded.channel.topic,
+      readable_type(recorded.channel.type), by.empty() ? "" : ", by foretrack " + by,
+      recorded.type == RecordedType::kOlder ? "; fields that came later read as zero" : "");
 }
 
 bool moves_vehicles(std::string_view topic) {
@@ -115,7 +149,10 @@ void Replay::play(Stop& stop) {
       const std::lock_guard lock(mutex_);
       auto& flow = flows_[id];
       if (flow.channel.topic.empty()) {
-        flow.channel = channel_of(message->channel, info);
+        const auto recorded = recorded_of(message->channel, info);
+        flow.channel = recorded.channel;
+        if (const auto text = version_warning(recorded, reader); !text.empty())
+          warnings_.insert(text);
         outlet_.opened(flow.channel);
       }
       ++flow.samples;
@@ -153,6 +190,11 @@ std::vector<TopicReport> Replay::topics() const {
   return reports;
 }
 
+std::vector<std::string> Replay::warnings() const {
+  const std::lock_guard lock(mutex_);
+  return {warnings_.begin(), warnings_.end()};
+}
+
 std::vector<VehicleReport> Replay::vehicles() const {
   std::map<std::string, double> ages;
   for (const auto& topic : topics())
@@ -161,31 +203,59 @@ std::vector<VehicleReport> Replay::vehicles() const {
       age_s = std::min(age_s, topic.age_s);
     }
   std::vector<VehicleReport> reports;
-  for (const auto& [name, age_s] : ages) reports.push_back({name, age_s});
+  for (const auto& [name, age_s] : ages) reports.push_back({name, age_s, {}});
   return reports;
 }
+
+namespace {
+
+/// A topic of the recording on the bus; null writer: it is left out.
+struct OntoTopic {
+  std::unique_ptr<RawWriter> writer;
+  std::size_t padding = 0;  // zeros behind each sample, which fields that came later read
+};
+
+constexpr std::size_t kPadding = 256;
+
+OntoTopic open_onto(const Recorded& recorded, bool with_commands, Node& node) {
+  const auto& channel = recorded.channel;
+  if (channel.wire.empty() || recorded.type == RecordedType::kOther ||
+      (!with_commands && moves_vehicles(channel.wire)))
+    return {};
+  return {std::make_unique<RawWriter>(node, RawTopic{channel.wire, channel.type, false},
+                                      channel.profile.empty() ? "state" : channel.profile.c_str()),
+          recorded.type == RecordedType::kOlder ? kPadding : 0};
+}
+
+bool write_onto(OntoTopic& topic, std::span<const std::uint8_t> data) {
+  if (!topic.writer) return false;
+  CdrBytes sample(data.begin(), data.end());
+  sample.resize(sample.size() + topic.padding);
+  return topic.writer->write(sample);
+}
+
+}  // namespace
 
 ReplayedOntoDds replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop) {
   check_recording(replay.options.file);
   mcap::Reader reader(replay.options.file);
-  std::map<std::uint16_t, std::unique_ptr<RawWriter>> writers;
-  std::uint64_t written = 0;
+  std::map<std::uint16_t, OntoTopic> topics;
+  ReplayedOntoDds done;
   Pace pace(replay.options.speed, steady_s() + kDiscovery_s);
   while (const auto message = reader.next()) {
-    if (!writers.contains(message->channel)) {
-      const auto& channel = channel_of(message->channel, reader.channels().at(message->channel));
-      auto& writer = writers[message->channel];  // null: left out
-      if (!channel.wire.empty() && (replay.with_commands || !moves_vehicles(channel.wire)))
-        writer = std::make_unique<RawWriter>(
-            node, RawTopic{channel.wire, channel.type, false},
-            channel.profile.empty() ? "state" : channel.profile.c_str());
+    if (!topics.contains(message->channel)) {
+      const auto recorded = recorded_of(message->channel, reader.channels().at(message->channel));
+      topics[message->channel] = open_onto(recorded, replay.with_commands, node);
+      auto text = version_warning(recorded, reader);
+      if (recorded.type == RecordedType::kOther) text += "; it is left out";
+      if (!text.empty()) done.warnings.push_back(std::move(text));
     }
     sleep_until(pace.due_s(message->log_time_ns), stop);
     if (stop.requested()) break;
-    const auto& writer = writers[message->channel];
-    if (writer) written += writer->write({message->data.begin(), message->data.end()});
+    done.samples += write_onto(topics[message->channel], message->data);
   }
-  return {written, reader.fault()};
+  done.fault = reader.fault();
+  return done;
 }
 
 }  // namespace foretrack::station

@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "services/common/node.hpp"
 #include "services/common/rate.hpp"
@@ -33,6 +36,8 @@ class Replay : public Source {
   void want(std::set<std::uint32_t>) override {}
   std::vector<TopicReport> topics() const override;
   std::vector<VehicleReport> vehicles() const override;
+  /// Topics that were recorded with another version of their type.
+  std::vector<std::string> warnings() const override;
 
  private:
   struct Flow {
@@ -47,6 +52,7 @@ class Replay : public Source {
   Outlet outlet_;
   mutable std::mutex mutex_;
   mutable std::map<std::uint32_t, Flow> flows_;
+  std::set<std::string> warnings_;
 };
 
 struct ReplayOntoDds {
@@ -55,14 +61,16 @@ struct ReplayOntoDds {
 };
 
 struct ReplayedOntoDds {
-  std::uint64_t samples = 0;  // that were written
-  std::string fault;          // why the file ended before its end; empty: it did not
+  std::uint64_t samples = 0;          // that were written
+  std::vector<std::string> warnings;  // of topics of another version of their type
+  std::string fault;                  // why the file ended before its end; empty: it did not
 };
 
 /// Writes the recording's samples to the topics that they came from, with the same bytes; those of
-/// rosbag2 under ROS 2's names and with the quality of service that they had. Topics that were not
-/// on the bus, and those that move vehicles, are left out. Until the end or the stop. Throws as
-/// check_recording does.
+/// rosbag2 under ROS 2's names and with the quality of service that they had. Types that have got
+/// more fields at their end since get zeros for them. Topics that were not on the bus, those whose
+/// type is another one today, and those that move vehicles, are left out. Until the end or the
+/// stop. Throws as check_recording does.
 ReplayedOntoDds replay_onto_dds(const ReplayOntoDds& replay, Node& node, Stop& stop);
 
 }  // namespace foretrack::station

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """make_schemas.py OUT.cpp: writes the table of schemas (schema_table.hpp) from idl/*/msg/*.idl.
 
-Our own types become one flat IDL text each (omgidl), those of ROS 2 and PX4 the text that rosbag2 and Foxglove know as
-ros2msg: the message, then each type inside it after a line of equals signs.
+Our own types become one flat IDL text each (omgidl) for live clients; they, and those of ROS 2 and PX4, the text that
+rosbag2 and Foxglove know as ros2msg: the message, then each type inside it after a line of equals signs.
 """
 import re
 import sys
@@ -57,16 +57,18 @@ def rows():
         files = with_includes(f"{package}/msg/{path.name}")
         wire = f"{package}::msg::dds_::{stem}_"
         if package == OWN:
-            yield wire, f"{package}::msg::{stem}", "omgidl", flat_idl(files)
+            yield wire, [(f"{package}::msg::{stem}", "omgidl", flat_idl(files)),
+                         (f"{package}/msg/{stem}", "ros2msg", ros_message(files))]
         else:
-            yield wire, f"{package}/msg/{stem}", "ros2msg", ros_message(files)
+            yield wire, [(f"{package}/msg/{stem}", "ros2msg", ros_message(files))]
 
 
 def main(out):
     text = '#include "services/ground_station/schemas/schema_table.hpp"\n\n'
     text += "namespace foretrack::station {\nnamespace {\nconstexpr SchemaRow kRows[] = {\n"
-    for wire, name, encoding, schema in sorted(rows()):
-        text += f'{{"{wire}", {{"{name}", "{encoding}", R"~({schema})~"}}}},\n'
+    for wire, schemas in sorted(rows()):
+        forms = ", ".join(f'{{"{name}", "{encoding}", R"~({schema})~"}}' for name, encoding, schema in schemas)
+        text += f'{{"{wire}", {forms}{"" if len(schemas) > 1 else ", {}"}}},\n'
     text += "};\n}  // namespace\n\nstd::span<const SchemaRow> schema_table() { return kRows; }\n"
     text += "}  // namespace foretrack::station\n"
     Path(out).write_text(text)

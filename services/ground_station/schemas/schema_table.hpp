@@ -11,6 +11,7 @@ namespace foretrack::station {
 struct SchemaRow {
   std::string_view wire_type;
   Schema schema;
+  Schema ros;  // of our own types, as ROS 2 knows them; else empty
 };
 
 /// Sorted by wire type.

@@ -17,6 +17,20 @@ struct Schema {
 /// ros2msg, ours are omgidl. Null if the type is not in idl/. Cost: a binary search.
 const Schema* find_schema(std::string_view wire_type);
 
+/// The same as rosbag2 has it in files: "foretrack_msgs/msg/TargetState", ros2msg.
+const Schema* find_ros_schema(std::string_view wire_type);
+
+/// How a type that was recorded stands to ours of its name.
+enum class RecordedType {
+  kSame,
+  kOlder,    ///< ours has more fields at its end
+  kOther,    ///< neither: it cannot be read as ours
+  kUnknown,  ///< it is not in idl/
+};
+/// By its hash if there is one, else by the schema's text.
+RecordedType compare_recorded(std::string_view wire_type, std::string_view hash,
+                              std::string_view schema);
+
 /// The name that people and tools use for a type on the wire, known or not.
 std::string readable_type(std::string_view wire_type);
 

@@ -143,6 +143,7 @@ void FleetService::judge() {
 void run_fleet(const ServiceOptions& options, const FleetParams& params,
                const PlanningParams& planning, Stop& stop) {
   Service service("fleet", options, stop);
+  service.show("fleet", params);
   FleetService stage(service, params, planning);
   service.run();
 }

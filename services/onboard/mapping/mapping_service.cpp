@@ -127,6 +127,7 @@ void MappingService::watch() {
 
 void run_mapping(const ServiceOptions& options, const MappingParams& params, Stop& stop) {
   Service service("mapping", options, stop);
+  service.show("mapping", params);
   MappingService stage(service, params);
   service.run();
 }

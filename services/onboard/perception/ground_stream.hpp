@@ -27,6 +27,7 @@ StreamShares share_bandwidth(const StreamParams& params, bool image_is_read, boo
 /// They share the bandwidth. The loop copies a picture and writes what is done: it never waits.
 class GroundStream {
  public:
+  /// The parameters must outlive it.
   GroundStream(Service& service, const StreamParams& params);
 
   /// An image that came, of the camera that `info` describes. Scaled and thinned as the parameters
@@ -52,7 +53,7 @@ class GroundStream {
   void write_video();
 
   Service& service_;
-  StreamParams params_;
+  const StreamParams& params_;  // may change in flight
   StreamPace image_pace_, video_pace_;
   StreamShares shares_;
   sensor_msgs::msg::CameraInfo info_;  // of the full images

@@ -25,6 +25,15 @@ constexpr std::size_t kMaxWaiting = 8;
 constexpr double kDoubt_s = 3.0;  // so long it is said
 constexpr char kAmbiguous[] = "several people could be the one who is followed; see the image";
 
+// They are asked for with each picture; whether there are any is decided at the start.
+void show_stream(Service& service, StreamParams& live) {
+  ParamRows at_start, in_flight;
+  for (const ParamRow& row : rows(live))
+    (row.name == "enabled" ? at_start : in_flight).push_back(row);
+  service.parameters().add("ground_stream", at_start, Change::kAtStart);
+  service.parameters().add("ground_stream", in_flight, Change::kInFlight);
+}
+
 }  // namespace
 
 PerceptionService::PerceptionService(Service& service, const PerceptionParams& params,
@@ -206,7 +215,12 @@ void run_perception(const ServiceOptions& options, const PerceptionParams& param
                     const BodyParams& body_params, const ChoiceParams& choice_params,
                     const StreamParams& stream, Stop& stop) {
   Service service("perception", options, stop);
-  PerceptionService stage(service, params, body_params, choice_params, stream);
+  service.show("perception", params);
+  service.show("bodies", body_params);
+  service.show("choice", choice_params);
+  StreamParams live = stream;
+  show_stream(service, live);
+  PerceptionService stage(service, params, body_params, choice_params, live);
   service.run();
 }
 

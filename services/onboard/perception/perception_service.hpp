@@ -28,9 +28,8 @@ namespace foretrack {
 /// safety gate has taken, else as choose() says.
 class PerceptionService {
  public:
-  PerceptionService(Service& service, const PerceptionParams& params,
-                    const BodyParams& body_params = {}, const ChoiceParams& choice_params = {},
-                    const StreamParams& stream = {});
+  PerceptionService(Service& service, const PerceptionParams& params, const BodyParams& body_params,
+                    const ChoiceParams& choice_params, const StreamParams& stream);
 
  private:
   struct Waiting {

@@ -180,6 +180,7 @@ void PlanningService::draw(const PlannedTrajectory& plan) {
 void run_planning(const ServiceOptions& options, const PlanningParams& params,
                   const FleetParams& fleet, Stop& stop) {
   Service service("planning", options, stop);
+  service.show("planning", params);
   PlanningService stage(service, params, fleet);
   service.run();
 }

@@ -89,6 +89,7 @@ void PredictionService::draw() {
 
 void run_prediction(const ServiceOptions& options, const PredictionParams& params, Stop& stop) {
   Service service("prediction", options, stop);
+  service.show("prediction", params);
   PredictionService stage(service, params);
   service.run();
 }

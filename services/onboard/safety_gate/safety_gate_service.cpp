@@ -244,6 +244,7 @@ void SafetyGateService::publish(const GateResult& result) {
 
 void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
   Service service("safety_gate", options, stop);
+  service.show("safety", params);
   std::optional<Px4Odometry> odometry;
   if (options.px4_odometry) odometry.emplace(service);
   SafetyGateService stage(service, params, options.dry_run, memory_file_of(options));

@@ -96,8 +96,10 @@ class RawPeer {
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
   }
   dds::DataWriter* add_writer(
-      dds::ReliabilityQosPolicyKind reliability = dds::RELIABLE_RELIABILITY_QOS) {
+      dds::ReliabilityQosPolicyKind reliability = dds::RELIABLE_RELIABILITY_QOS,
+      const std::string& user_data = "") {
     dds::DataWriterQos qos;
+    qos.user_data().data_vec({user_data.begin(), user_data.end()});
     qos.reliability().kind = reliability;
     qos.history().depth = 10;
     qos.endpoint().history_memory_policy =

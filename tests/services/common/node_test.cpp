@@ -10,7 +10,7 @@
 #include "foretrack_msgs/msg/TargetState.h"
 #include "nav_msgs/msg/Odometry.h"
 #include "rmw_dds_common/msg/ParticipantEntitiesInfo.h"
-#include "rmw_dds_common/msg/ParticipantEntitiesInfo16.h"
+#include "rmw_dds_common/msg/ParticipantEntitiesInfo24.h"
 #include "services/common/cdr_type.hpp"
 #include "services/common/reader.hpp"
 #include "services/common/topics.hpp"
@@ -116,9 +116,9 @@ Info announced_by(Node& node) {
 }
 
 template <class Info>
-void expect_node_with_endpoints(RosDistribution ros) {
+void expect_node_with_endpoints(const std::string& ros_distro) {
   auto options = node_options("perception");
-  options.ros = ros;
+  options.ros_distro = ros_distro;
   Node node(options);
   Writer<topics::TargetState> writer(node);
   Reader<topics::Odometry> reader(node);
@@ -136,13 +136,12 @@ void expect_node_with_endpoints(RosDistribution ros) {
 }
 
 TEST(Node, ShowsItselfToRos2HumbleWithItsEndpoints) {
-  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo>(
-      RosDistribution::kHumble);
+  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo24>("humble");
 }
 
-TEST(Node, ShowsItselfToRos2IronWithItsEndpoints) {
-  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo16>(
-      RosDistribution::kIronOrLater);
+TEST(Node, ShowsItselfToRos2IronAndLaterWithItsEndpointsUnlessTold) {
+  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo>("");
+  expect_node_with_endpoints<rmw_dds_common::msg::ParticipantEntitiesInfo>("jazzy");
 }
 
 TEST(Node, RefusesNamesThatRos2WouldRefuse) {

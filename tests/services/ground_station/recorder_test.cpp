@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/common/random.hpp"
+#include "services/common/type_hash.hpp"
 #include "services/ground_station/mcap/reader.hpp"
+#include "services/ground_station/schemas/schemas.hpp"
 #include "tests/support/folder.hpp"
 
 namespace foretrack::station {
@@ -48,6 +50,51 @@ std::map<std::string, int> counts_of(const std::filesystem::path& file) {
   while (const auto message = reader.next()) ++counts[reader.channels().at(message->channel).topic];
   EXPECT_TRUE(reader.complete()) << file << reader.fault();
   return counts;
+}
+
+// What `ros2 bag play` asks of a file: ROS 2's name of the type and its definition, and how it was
+// offered.
+TEST(Recorder, RecordsOurTypesAsRos2KnowsThem) {
+  const Folder folder;
+  RecorderOptions options;
+  options.folder = folder.path;
+  Recorder recorder(options);
+  auto own = channel(1, "/uav1/target/state");
+  own.type = "foretrack_msgs::msg::dds_::TargetState_";
+  const auto* live = find_schema(own.type);
+  own.schema_name = live->name;
+  own.schema_encoding = live->encoding;
+  own.schema = live->text;
+  recorder.open(own);
+  EXPECT_EQ(recorder.start(), "");
+  recorder.samples(sample(1));
+  recorder.stop();
+  mcap::Reader reader(files_in(folder.path).at(0));
+  while (reader.next()) {
+  }
+  const auto& info = reader.channels().at(1);
+  EXPECT_EQ(info.schema_name, "foretrack_msgs/msg/TargetState");
+  EXPECT_EQ(info.schema_encoding, "ros2msg");
+  EXPECT_NE(info.schema.find("float64[3] position_m"), std::string::npos);
+  EXPECT_EQ(info.metadata.at("topic_type_hash"), type_hash_of(own.type));
+  EXPECT_NE(info.metadata.at("offered_qos_profiles").find("reliability: 1, durability: 2"),
+            std::string::npos);
+}
+
+TEST(Recorder, LeavesOutWhatItIsToldTo) {
+  const Folder folder;
+  RecorderOptions options;
+  options.folder = folder.path;
+  options.leave_out = [](const Channel& c) { return c.topic == "/b"; };
+  Recorder recorder(options);
+  recorder.open(channel(1, "/a"));
+  recorder.open(channel(2, "/b"));
+  EXPECT_EQ(recorder.start(), "");
+  EXPECT_EQ(recorder.wanted(), (std::set<std::uint32_t>{1}));
+  recorder.samples(sample(1));
+  recorder.samples(sample(2));
+  recorder.stop();
+  EXPECT_EQ(counts_of(files_in(folder.path).at(0)), (std::map<std::string, int>{{"/a", 1}}));
 }
 
 TEST(Recorder, RecordsEverySampleBetweenStartAndStop) {

@@ -13,11 +13,11 @@ constexpr char kOdometry[] = "nav_msgs::msg::dds_::Odometry_";
 
 ForeignEndpoint writer(std::string topic, std::string type, bool reliable = true,
                        bool latched = false) {
-  return {std::move(topic), std::move(type), false, true, "", reliable, latched};
+  return {std::move(topic), std::move(type), false, true, "", reliable, latched, {}, ""};
 }
 ForeignEndpoint reader(std::string topic, std::string type, bool reliable = true,
                        bool latched = false) {
-  return {std::move(topic), std::move(type), false, false, "", reliable, latched};
+  return {std::move(topic), std::move(type), false, false, "", reliable, latched, {}, ""};
 }
 
 TEST(Survey, CountsWritersAndReadersOfEachTopicOfRos) {
@@ -74,9 +74,39 @@ TEST(Schemas, HasOneForEveryTypeOfTheContractAndFindsIt) {
   }
   for (const auto& row : schema_table()) EXPECT_EQ(find_schema(row.wire_type), &row.schema);
   EXPECT_EQ(find_schema("unknown"), nullptr);
+  EXPECT_EQ(find_ros_schema("unknown"), nullptr);
   EXPECT_EQ(readable_type(kOdometry), "nav_msgs/msg/Odometry");
   EXPECT_EQ(readable_type("a::msg::dds_::B_"), "a::msg::B");
   EXPECT_EQ(readable_type("whatever"), "whatever");
+}
+
+TEST(Schemas, HaveRos2sFormForEveryType) {
+  for (const auto& topic : contract()) {
+    const auto* schema = find_ros_schema(topic.type);
+    ASSERT_TRUE(schema) << topic.type;
+    EXPECT_EQ(schema->encoding, "ros2msg") << topic.type;
+    EXPECT_NE(schema->name.find("/msg/"), std::string_view::npos) << schema->name;
+  }
+  EXPECT_EQ(find_ros_schema("foretrack_msgs::msg::dds_::TargetState_")->name,
+            "foretrack_msgs/msg/TargetState");
+}
+
+TEST(Schemas, TellARecordedTypeThatGrewFromOneThatChanged) {
+  const std::string type = "foretrack_msgs::msg::dds_::TargetState_";
+  for (const Schema* ours : {find_schema(type), find_ros_schema(type)}) {
+    const std::string text(ours->text);
+    const auto last = text.find("uint32 rejected_measurements");
+    const auto end = text.find_first_of('\n', last) + 1;
+    ASSERT_NE(last, std::string::npos);
+    auto before = text, changed = text;
+    before.erase(text.rfind('\n', last) + 1, end - text.rfind('\n', last) - 1);
+    changed.replace(last, 6, "uint16");
+    EXPECT_EQ(compare_recorded(type, "", text), RecordedType::kSame);
+    EXPECT_EQ(compare_recorded(type, "", before), RecordedType::kOlder) << before;
+    EXPECT_EQ(compare_recorded(type, "RIHS01_00", before), RecordedType::kOlder);
+    EXPECT_EQ(compare_recorded(type, "", changed), RecordedType::kOther);
+  }
+  EXPECT_EQ(compare_recorded("other::msg::dds_::T_", "", "int32 x"), RecordedType::kUnknown);
 }
 
 }  // namespace

@@ -288,6 +288,30 @@ TEST(Diagnose, NoticesAClockThatDiffers) {
   EXPECT_THAT(flight.cause(), HasSubstr("clock of planning is -2.0 s off"));
 }
 
+TEST(Diagnose, SaysHowFarTheClocksDiffer) {
+  Flight flight;
+  flight.snapshot.services[0].clock_ahead_s = -0.012;
+  EXPECT_THAT(to_text(diagnose(flight.snapshot)), HasSubstr("differ by -0.012 s at most"));
+  EXPECT_EQ(first_cause(diagnose(flight.snapshot)), nullptr);
+}
+
+TEST(Diagnose, NamesAPeerOfAnotherVersion) {
+  Flight flight;
+  flight.snapshot.other_versions = {"uav1/planning on rt/uav1/target/state: TargetState_ is of …"};
+  const auto findings = diagnose(flight.snapshot);
+  ASSERT_TRUE(first_cause(findings));
+  EXPECT_THAT(first_cause(findings)->text, HasSubstr("uav1/planning on rt/uav1/target/state"));
+  EXPECT_THAT(first_cause(findings)->advice, HasSubstr("same version"));
+}
+
+TEST(Diagnose, NamesTwoSimulatorsOnOneClock) {
+  Flight flight;
+  flight.snapshot.clocks = 2;
+  const auto findings = diagnose(flight.snapshot);
+  ASSERT_TRUE(first_cause(findings));
+  EXPECT_THAT(first_cause(findings)->text, HasSubstr("2 simulators write one clock"));
+}
+
 TEST(Diagnose, SaysOneThingWhenNobodyIsThere) {
   Flight flight;
   for (auto& flow : flight.snapshot.flows) flight.silence(flow.topic);

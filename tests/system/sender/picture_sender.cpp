@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   Stop stop;
   Service service("perception", options, stop);
-  GroundStream stream(service, {});
+  const StreamParams params;
+  GroundStream stream(service, params);
   constexpr int kTurn = 20;  // images until it passes by backwards
   std::vector<RgbImage> images;
   for (int i = 0; i <= kTurn; ++i) images.push_back(testing::street(4.0 * i, 640, 480));

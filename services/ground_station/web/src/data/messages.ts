@@ -152,7 +152,7 @@ export interface TargetFraming {
 
 export interface TrajectoryPiece {
   duration_s: number;
-  coefficients: ArrayLike<Vec3>; // one row a power
+  coefficients: ArrayLike<Vec3> | ArrayLike<number>; // one row a power
 }
 export interface VisibleRegion {
   time_from_start_s: number;

@@ -4,6 +4,7 @@
 export interface StationVehicle {
   name: string;
   seen_s_ago: number | null;
+  clock_ahead_s?: number | null; // of the station's; null: simulated, or not known
   lease: { operator: string; expires_s: number } | null;
   last_command: {
     id: number; command: string; operator: string; result: string; reason: string;

@@ -84,10 +84,16 @@ export function duration_s(plan: PlannedTrajectory): number {
   return plan.pieces.reduce((sum, piece) => sum + piece.duration_s, 0);
 }
 
+/** Recordings have ROS 2's form of the message, in which the rows follow each other. */
+function coefficient({ coefficients }: TrajectoryPiece, power: number, axis: number): number {
+  const row = coefficients[power]!;
+  return typeof row === "number" ? (coefficients as ArrayLike<number>)[3 * power + axis]! : row[axis]!;
+}
+
 function at(piece: TrajectoryPiece, t: number, axis: number): number {
   let value = 0;
   for (let power = 5; power >= 0; power--)
-    value = value * t + piece.coefficients[power]![axis]!;
+    value = value * t + coefficient(piece, power, axis);
   return value;
 }
 

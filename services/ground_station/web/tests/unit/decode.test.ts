@@ -53,7 +53,10 @@ test("a plan's polynomial is read in its order of powers", () => {
   const coefficients = [[1, 0, 0], [0, 2, 0], [0, 0, 3], ...new Array(3).fill([0, 0, 0])].flat();
   const plan = new Decoders().decode(channelOf("/a/plan/trajectory", type), encode(type,
     { ...(message as object), pieces: [{ duration_s: 2, coefficients }] })) as PlannedTrajectory;
-  assert.deepEqual(samplePlan(plan, 2), [[1, 0, 0], [1, 2, 3], [1, 4, 12]]);
+  const points = [[1, 0, 0], [1, 2, 3], [1, 4, 12]];
+  assert.deepEqual(samplePlan(plan, 2), points);
+  const recorded = { ...plan, pieces: [{ duration_s: 2, coefficients }] }; // as ROS 2 has it
+  assert.deepEqual(samplePlan(recorded as PlannedTrajectory, 2), points);
 });
 
 test("a schema that cannot be read is reported once, bytes that cannot be read each time", () => {
