@@ -16,6 +16,7 @@ struct Step {
   Request start();
   Request delegate();
   Request stand();
+  Request give_to_pilot();
 
  private:
   Request ask(Request request) {
@@ -90,6 +91,17 @@ Request Step::delegate() {
   return ask(request_of_phase());
 }
 
+// PX4 hands a vehicle to moved sticks out of offboard mode, but not out of a registered one.
+bool is_taken_by_sticks(const Mission& mission, const AutopilotStatus& status) {
+  return mission.engaged && status.own_mode && taken_over(status) == MissionEnd::kSticks;
+}
+
+Request Step::give_to_pilot() {
+  ask(Request::kPilot);
+  end(MissionEnd::kSticks);
+  return Request::kPilot;
+}
+
 bool flies_by_itself(FlightMode mode) {
   return mode == FlightMode::kReturn || mode == FlightMode::kLand || mode == FlightMode::kTakeOff ||
          mode == FlightMode::kUnknown;
@@ -141,6 +153,7 @@ void begin_phase(CarryOut& state, double now_s, const AutopilotStatus& status) {
 AutopilotRequest carry_out(CarryOut& state, Mission& mission, const CarryOutInput& input,
                            const CarryOutParams& params) {
   Step step{state, mission, input, params};
+  if (is_taken_by_sticks(mission, input.status)) return step.give_to_pilot();
   switch (mission.phase) {
     case MissionPhase::kStarting:
       return step.start();

@@ -77,7 +77,7 @@ void Loop::run() {
     reader->waited_for = true;
     wait_set.attach_condition(reader->dds->reader->get_statuscondition());
   }
-  while (!stop_.requested()) {
+  while (!stop_.requested() && !leaves_) {
     for (auto* reader : wakers_) {
       if (!reader->wants_best_effort()) continue;
       wait_set.detach_condition(reader->dds->reader->get_statuscondition());
@@ -85,6 +85,7 @@ void Loop::run() {
       wait_set.attach_condition(reader->dds->reader->get_statuscondition());
     }
     wake_up();
+    if (leaves_) break;
     dds::ConditionSeq active;
     const double wait = wait_s();
     const auto whole = static_cast<std::int32_t>(wait);

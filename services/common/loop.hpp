@@ -60,6 +60,8 @@ class Loop {
 
   /// Until the stop is requested. Announces the node to ROS 2 first.
   void run();
+  /// Ends run() after the present wake-up, though no stop was requested.
+  void leave() { leaves_ = true; }
 
   LoopStats take_stats();
 
@@ -85,6 +87,7 @@ class Loop {
   std::vector<std::function<void()>> handlers_;
   std::vector<ReaderCore*> wakers_;
   std::vector<Timer> timers_;
+  bool leaves_ = false;
   LoopStats stats_;
 };
 

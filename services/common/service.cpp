@@ -8,21 +8,14 @@ namespace {
 
 constexpr double kHealthPeriod_s = 1.0;
 
-NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
+}  // namespace
+
+NodeOptions node_options(const std::string& service, const ServiceOptions& options) {
   const auto ros =
       options.ros_iron_or_later ? RosDistribution::kIronOrLater : RosDistribution::kHumble;
-  return {name,
-          options.names,
-          options.domain_id,
-          options.use_sim_time,
-          ros,
-          options.interface,
-          options.security,
-          options.peers,
-          options.discovery_server};
+  return {service,           options.names,    options.domain_id, options.use_sim_time,    ros,
+          options.interface, options.security, options.peers,     options.discovery_server};
 }
-
-}  // namespace
 
 Service::Service(const std::string& name, const ServiceOptions& options, Stop& stop)
     : options_(options), node_(node_options(name, options)), loop_(node_, stop), health_(node_) {

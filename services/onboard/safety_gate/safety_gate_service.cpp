@@ -45,6 +45,8 @@ void tell_operators(Health& health, SafetyParams params) {
       health.set_fact(std::string(row.name), text_of(row));
 }
 
+constexpr double kListen_s = 0.5;
+
 }  // namespace
 
 SafetyGateService::SafetyGateService(Service& service, const SafetyParams& params, bool dry_run,
@@ -242,12 +244,36 @@ void SafetyGateService::publish(const GateResult& result) {
                                           : "");
 }
 
-void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
+namespace {
+
+// Until the stop is requested, or until the flight controller speaks as another release, where
+// nobody said as which it would. Returns that one.
+std::string run_as_told(const ServiceOptions& options, bool told, const SafetyParams& params,
+                        Stop& stop) {
   Service service("safety_gate", options, stop);
   std::optional<Px4Odometry> odometry;
   if (options.px4_odometry) odometry.emplace(service);
   SafetyGateService stage(service, params, options.dry_run, memory_file_of(options));
+  std::string better;
+  const auto listen = [&] {
+    better = stage.better_release();
+    if (!better.empty()) service.loop().leave();
+  };
+  if (!told) service.loop().every_wall(kListen_s, listen);
   service.run();
+  return better;
+}
+
+}  // namespace
+
+void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
+  ServiceOptions own = options;
+  const bool told = !options.names.px4_release.empty();
+  while (!stop.requested()) {
+    own.names.px4_release = run_as_told(own, told, params, stop);
+    if (!stop.requested())
+      spdlog::info("safety_gate: speaks with PX4 {} from now on", own.names.px4_release);
+  }
 }
 
 }  // namespace foretrack

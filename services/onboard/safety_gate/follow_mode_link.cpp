@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "services/onboard/safety_gate/follow_mode_link.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <random>
+#include <utility>
+
+#include "services/common/px4_releases.hpp"
+#include "services/convert/px4_mode.hpp"
+
+namespace foretrack {
+namespace {
+
+using State = ModeRegistration::State;
+
+std::string_view release_of(Service& service) {
+  const auto& release = service.node().options().names.px4_release;
+  return release.empty() ? kPx4ReleaseOfIdl : std::string_view(release);
+}
+
+// Requests of another start of ours must not be taken for this one's.
+std::uint64_t random_id() {
+  std::random_device random;
+  return (std::uint64_t{random()} << 32) | random();
+}
+
+}  // namespace
+
+FollowModeLink::FollowModeLink(Service& service)
+    : service_(service),
+      reply_reader_(service.node()),
+      check_reader_(service.node()),
+      request_(service.node()),
+      check_(service.node()),
+      completed_(service.node()),
+      unregister_(service.node()) {
+  Loop& loop = service.loop();
+  loop.on_each(reply_reader_, [this](const px4_msgs::msg::RegisterExtComponentReply& reply) {
+    take_answer(reply);
+  });
+  loop.on_newest(check_reader_, [this](const px4_msgs::msg::ArmingCheckRequest& request) {
+    if (is_registered()) answer(request);
+  });
+}
+
+FollowModeLink::~FollowModeLink() {
+  if (!is_registered()) return;
+  to_unregistration(registration_.numbers, service_.clock().now_s(), unregister_.sample());
+  unregister_.write();
+}
+
+bool FollowModeLink::is_registered() const {
+  return registration_.state == State::kRegistered;
+}
+
+void FollowModeLink::hear(const px4_msgs::msg::VehicleStatus& message, AutopilotStatus& status) {
+  selectable_ = message.can_set_nav_states_mask();
+  if (is_registered()) mark_own_mode(message, registration_.numbers.mode, status);
+}
+
+void FollowModeLink::take_answer(const px4_msgs::msg::RegisterExtComponentReply& reply) {
+  if (!answers(reply, request_.sample())) return;
+  const auto answer = from_idl(reply, release_of(service_));
+  if (!answer) reply_reader_.refuse(answer.fault());
+  answer_ = answer ? *answer : RegistrationAnswer{};
+}
+
+void FollowModeLink::answer(const px4_msgs::msg::ArmingCheckRequest& request) {
+  to_reply(request, registration_.numbers, hindrance_ == ModeHindrance::kNone,
+           service_.clock().now_s(), check_.sample());
+  check_.write();
+}
+
+void FollowModeLink::update(const GateResult& result, const AutopilotStatus& status, bool heard,
+                            double stamp_s) {
+  hindrance_ = result.mode_hindrance;
+  reason_ = result.mode_reason;
+  const State before = registration_.state;
+  const RegistrationInput input{service_.clock().steady_s(), heard, status.armed, selectable_,
+                                std::exchange(answer_, {})};
+  if (register_mode(registration_, input)) ask(stamp_s);
+  if (registration_.state != before && registration_.state != State::kAsked)
+    spdlog::info("safety_gate: mode {}: {}", kModeName, to_string(registration_.state));
+  tell_end(result, status, stamp_s);
+}
+
+void FollowModeLink::ask(double stamp_s) {
+  to_registration(random_id(), release_of(service_), stamp_s, request_.sample());
+  request_.write();
+}
+
+// Whoever runs modes one after the other goes on. What a pilot or a failsafe ends is known to them.
+void FollowModeLink::tell_end(const GateResult& result, const AutopilotStatus& status,
+                              double stamp_s) {
+  const bool flies = is_registered() && status.own_mode && result.setpoint.has_value();
+  const bool ordered =
+      result.phase == MissionPhase::kReturning || result.phase == MissionPhase::kLanding;
+  const bool gives_up = result.mode_hindrance == ModeHindrance::kSilent;
+  if (flew_ && !flies && (ordered || gives_up)) {
+    to_completed(registration_.numbers, ordered, stamp_s, completed_.sample());
+    completed_.write();
+  }
+  flew_ = flies;
+}
+
+std::string FollowModeLink::words() const {
+  if (!is_registered())
+    return fmt::format("mode {}: {}; offboard mode stays", kModeName,
+                       to_string(registration_.state));
+  if (hindrance_ == ModeHindrance::kNone) return "";
+  const auto why =
+      to_string(hindrance_ == ModeHindrance::kNotReady || hindrance_ == ModeHindrance::kSilent
+                    ? ModeHindrance::kNone
+                    : hindrance_);
+  return fmt::format("mode {} cannot be selected: {}", kModeName,
+                     why.empty() ? to_string(reason_) : why);
+}
+
+}  // namespace foretrack
