@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/safety/command_of.hpp"
 #include "services/common/find_px4.hpp"
 #include "services/common/px4_releases.hpp"
@@ -23,6 +25,7 @@ constexpr std::size_t kMaxAcks = 8;
 constexpr double kOneWriterSilence_s = 2.0;
 constexpr double kLook_s = 1.0;
 constexpr double kHeard_s = 2.0;
+constexpr double kTimeFault_s = 0.5;  // more than a status can be late
 constexpr double kBegins_s = 5.0;  // in which a gate that was started in flight may change its ear
 
 }  // namespace
@@ -54,6 +57,8 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
       [this](const AutopilotStatus& status) {
         status_ = status;
         status_at_s_ = service_.clock().steady_s();
+        const double now_s = service_.clock().now_s();  // 0 until a simulated one is heard
+        ahead_s_ = now_s > 0.0 ? status.stamp_s - now_s : 0.0;
       });
   loop.on_each(flags_reader_, [this](const px4_msgs::msg::FailsafeFlags& flags) {
     hindrance_ = what_hinders_offboard(flags);
@@ -84,6 +89,14 @@ void AutopilotLink::look_at_release() {
                              "the flight controller speaks as PX4 {0} does, {1} is expected: "
                              "start with --px4 {0}",
                              spoken, expected);
+}
+
+std::string AutopilotLink::time_fault() const {
+  if (std::abs(ahead_s_) < kTimeFault_s) return "";
+  return fmt::format(
+      "the flight controller's stamps are not in this machine's time ({:+.1f} s): its "
+      "UXRCE_DDS_SYNCT is to be 1",
+      ahead_s_);
 }
 
 std::string_view AutopilotLink::better_release() const {

@@ -36,6 +36,8 @@ class AutopilotLink {
   /// That it speaks as another release of PX4 than is expected, so that some of it is not heard,
   /// and some misread; empty: it does not.
   const std::string& other_release() const { return other_release_; }
+  /// That its stamps are not in our time; empty: they are.
+  std::string time_fault() const;
   /// The release as which it speaks, where that is another one and nobody flies by this one: it
   /// stands, or the gate has just begun. Else empty.
   std::string_view better_release() const;
@@ -67,6 +69,7 @@ class AutopilotLink {
   std::optional<FollowModeLink> follow_mode_;  // none: no mode is registered
   AutopilotStatus status_;
   double status_at_s_ = -1.0;  // by arrival
+  double ahead_s_ = 0.0;       // of our time are its stamps
   bool sticks_moved_ = false;
   std::string hindrance_, other_release_;
   std::string_view spoken_release_;  // empty: as expected, or none

@@ -238,10 +238,11 @@ void SafetyGateService::publish(const GateResult& result) {
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;
-  service_.health().set_degraded(!report.alarm.empty()                 ? report.alarm
-                                 : !autopilot_.other_release().empty() ? autopilot_.other_release()
-                                 : silent ? std::string(to_string(result.reason))
-                                          : "");
+  std::string trouble = report.alarm;
+  if (trouble.empty()) trouble = autopilot_.other_release();
+  if (trouble.empty()) trouble = autopilot_.time_fault();
+  if (trouble.empty() && silent) trouble = to_string(result.reason);
+  service_.health().set_degraded(trouble);
 }
 
 namespace {
