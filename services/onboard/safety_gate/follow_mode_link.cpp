@@ -78,8 +78,9 @@ void FollowModeLink::update(const GateResult& result, const AutopilotStatus& sta
   hindrance_ = result.mode_hindrance;
   reason_ = result.mode_reason;
   const State before = registration_.state;
-  const RegistrationInput input{service_.clock().steady_s(), heard, status.armed, selectable_,
-                                std::exchange(answer_, {})};
+  const bool hears_us = request_.readers() > 0 && reply_reader_.writers() > 0;
+  const RegistrationInput input{service_.clock().steady_s(), heard && hears_us, status.armed,
+                                selectable_, std::exchange(answer_, {})};
   if (register_mode(registration_, input)) ask(stamp_s);
   if (registration_.state != before && registration_.state != State::kAsked)
     spdlog::info("safety_gate: mode {}: {}", kModeName, to_string(registration_.state));

@@ -30,13 +30,15 @@ class SafetyGateOnDds : public ::testing::Test {
     start_gate();
   }
 
-  void start_gate(bool dry_run = false, const std::string& state = "") {
+  void start_gate(bool dry_run = false, const std::string& state = "",
+                  const std::string& release = "") {
     gate_.reset();
     report_reader_.take_each([](const auto&) {});  // the last words of the one before
     const std::string folder = state.empty() ? folder_.path.string() : state;
     gate_.emplace([=](ServiceOptions options, Stop& stop) {
       options.state_folder = folder;
       options.dry_run = dry_run;
+      options.names.px4_release = release;
       run_safety_gate(options, SafetyParams{}, stop);
     });
     report_ = {};
@@ -644,7 +646,8 @@ TEST(Px4OdometryOnDds, FliesOnPx4sOwnEstimate) {
   EXPECT_TRUE(heard && heard->position_enu_m.isApprox(vehicle.position_enu_m, 1e-6));
 }
 
-TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherRelease) {
+TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherReleaseThanItWasTold) {
+  start_gate(false, "", "1.16");
   NodeOptions options = node_options("px4");
   options.names.px4_release = "1.18";
   Node px4(options);
@@ -656,6 +659,31 @@ TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherRelease) {
     health.take_each([&](const auto& message) { said = message.last_error().c_str(); });
     return said.find("speaks as PX4 1.18 does, 1.16 is expected") != std::string::npos;
   })) << said;
+}
+
+TEST(ReleaseOnDds, AGateThatWasNotToldHearsThatOfTheFlightController) {
+  Folder folder;
+  Neighbours neighbours;
+  NodeOptions options = node_options("px4");
+  options.names.px4_release = "1.18";
+  Node px4(options);
+  Writer<topics::Px4VehicleStatus> status(px4);
+  const Writer<topics::Px4BatteryStatus> battery(px4);
+  Reader<topics::SafetyState> report(neighbours.node());
+  const Running service([&](ServiceOptions own, Stop& stop) {
+    own.state_folder = folder.path.string();
+    run_safety_gate(own, SafetyParams{}, stop);
+  });
+  bool armed = false;
+  EXPECT_TRUE(neighbours.until(
+      [&] {
+        report.take_each([&](const auto& state) { armed = state.armed(); });
+        return armed;
+      },
+      [&] {
+        to_idl(AutopilotStatus{.stamp_s = neighbours.now_s(), .armed = true}, status.sample());
+        status.write();
+      }));
 }
 
 }  // namespace
