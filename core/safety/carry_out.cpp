@@ -77,15 +77,17 @@ Request Step::delegate() {
   const AskProgress asked = progress();
   if (asked.state == AskState::kWaits) return Request::kNone;
   if (asked.state == AskState::kFailed) return hold_mission(s, mission, asked.why), Request::kNone;
+  // PX4 arms in the mode it is in, which after a flight can be one that may not run: it takes the
+  // mode to take off first, as it takes any while it is disarmed.
+  if (s.asked_other && mission.phase == MissionPhase::kTakingOff && !in.status.armed) {
+    if (s.asked_arm) return end(MissionEnd::kDisarmed);
+    s.asked_arm = true;
+    return ask(Request::kArm);
+  }
   if (s.asked_other) {
     s.delegated = true;
     mission.engaged = false;
     return Request::kNone;
-  }
-  if (mission.phase == MissionPhase::kTakingOff && !in.status.armed) {
-    if (s.asked_arm) return end(MissionEnd::kDisarmed);
-    s.asked_arm = true;
-    return ask(Request::kArm);
   }
   s.asked_other = s.by_itself = true;
   return ask(request_of_phase());

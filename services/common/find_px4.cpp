@@ -10,7 +10,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kPatience_s = 1.0;  // of somebody who looks
+constexpr double kPatience_s = 3.0;  // of somebody who looks
 
 }  // namespace
 
