@@ -20,6 +20,8 @@ std::string_view release_of(Service& service) {
   return release.empty() ? kPx4ReleaseOfIdl : std::string_view(release);
 }
 
+constexpr double kMatch_s = 0.3;  // in which the other side has matched us, too
+
 // Requests of another start of ours must not be taken for this one's.
 std::uint64_t random_id() {
   std::random_device random;
@@ -78,9 +80,11 @@ void FollowModeLink::update(const GateResult& result, const AutopilotStatus& sta
   hindrance_ = result.mode_hindrance;
   reason_ = result.mode_reason;
   const State before = registration_.state;
-  const bool hears_us = request_.readers() > 0 && reply_reader_.writers() > 0;
-  const RegistrationInput input{service_.clock().steady_s(), heard && hears_us, status.armed,
-                                selectable_, std::exchange(answer_, {})};
+  const double now_s = service_.clock().steady_s();
+  const bool hears_us = heard && request_.readers() > 0 && reply_reader_.writers() > 0;
+  if (!hears_us || matched_s_ < 0.0) matched_s_ = now_s;
+  const RegistrationInput input{now_s, now_s - matched_s_ > kMatch_s, status.armed, selectable_,
+                                std::exchange(answer_, {})};
   if (register_mode(registration_, input)) ask(stamp_s);
   if (registration_.state != before && registration_.state != State::kAsked)
     spdlog::info("safety_gate: mode {}: {}", kModeName, to_string(registration_.state));

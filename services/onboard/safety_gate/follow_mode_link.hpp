@@ -51,6 +51,7 @@ class FollowModeLink {
   ModeRegistration registration_;
   std::optional<RegistrationAnswer> answer_;  // that came since the last tick
   std::uint32_t selectable_ = 0;
+  double matched_s_ = -1.0;  // since when both sides hear each other; < 0: not known
   ModeHindrance hindrance_ = ModeHindrance::kNotReady;
   SafetyReason reason_ = SafetyReason::kNone;
   bool flew_ = false;  // in the last tick, in this mode

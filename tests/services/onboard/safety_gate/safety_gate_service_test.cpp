@@ -3,6 +3,10 @@
 // does (the simulator's).
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
+#include <fmt/format.h>
+
+#include <fstream>
+
 #include "core/simulator/autopilot.hpp"
 #include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
@@ -670,20 +674,31 @@ TEST(ReleaseOnDds, AGateThatWasNotToldHearsThatOfTheFlightController) {
   Writer<topics::Px4VehicleStatus> status(px4);
   const Writer<topics::Px4BatteryStatus> battery(px4);
   Reader<topics::SafetyState> report(neighbours.node());
-  const Running service([&](ServiceOptions own, Stop& stop) {
+  const auto run = [&](ServiceOptions own, Stop& stop) {
     own.state_folder = folder.path.string();
     run_safety_gate(own, SafetyParams{}, stop);
-  });
+  };
   bool armed = false;
-  EXPECT_TRUE(neighbours.until(
-      [&] {
-        report.take_each([&](const auto& state) { armed = state.armed(); });
-        return armed;
-      },
-      [&] {
-        to_idl(AutopilotStatus{.stamp_s = neighbours.now_s(), .armed = true}, status.sample());
-        status.write();
-      }));
+  const auto hears = [&] {
+    return neighbours.until(
+        [&] {
+          report.take_each([&](const auto& state) { armed = state.armed(); });
+          return armed;
+        },
+        [&] {
+          to_idl(AutopilotStatus{.stamp_s = neighbours.now_s(), .armed = true}, status.sample());
+          status.write();
+        });
+  };
+  std::optional<Running> gate(run);
+  ASSERT_TRUE(hears());
+  std::string remembered;
+  std::ifstream(folder.path / fmt::format("px4-release-{}-uav1", domain_id())) >> remembered;
+  EXPECT_EQ(remembered, "1.18") << "which the next one begins with";
+  gate.reset();
+  gate.emplace(run);
+  armed = false;
+  EXPECT_TRUE(hears());
 }
 
 }  // namespace
