@@ -59,7 +59,8 @@ bool FollowModeLink::is_registered() const {
 
 void FollowModeLink::hear(const px4_msgs::msg::VehicleStatus& message, AutopilotStatus& status) {
   selectable_ = message.can_set_nav_states_mask();
-  if (is_registered()) mark_own_mode(message, registration_.numbers.mode, status);
+  has_taken_off_ = message.takeoff_time() != 0;
+  if (is_registered() && has_taken_off_) mark_own_mode(message, registration_.numbers.mode, status);
 }
 
 void FollowModeLink::take_answer(const px4_msgs::msg::RegisterExtComponentReply& reply) {
@@ -70,8 +71,8 @@ void FollowModeLink::take_answer(const px4_msgs::msg::RegisterExtComponentReply&
 }
 
 void FollowModeLink::answer(const px4_msgs::msg::ArmingCheckRequest& request) {
-  to_reply(request, registration_.numbers, hindrance_ == ModeHindrance::kNone,
-           service_.clock().now_s(), check_.sample());
+  const bool can_run = has_taken_off_ && hindrance_ == ModeHindrance::kNone;
+  to_reply(request, registration_.numbers, can_run, service_.clock().now_s(), check_.sample());
   check_.write();
 }
 
@@ -114,6 +115,7 @@ std::string FollowModeLink::words() const {
   if (!is_registered())
     return fmt::format("mode {}: {}; offboard mode stays", kModeName,
                        to_string(registration_.state));
+  if (!has_taken_off_) return fmt::format("mode {} cannot be selected: take off first", kModeName);
   if (hindrance_ == ModeHindrance::kNone) return "";
   const auto why =
       to_string(hindrance_ == ModeHindrance::kNotReady || hindrance_ == ModeHindrance::kSilent

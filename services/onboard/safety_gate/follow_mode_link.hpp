@@ -51,6 +51,8 @@ class FollowModeLink {
   ModeRegistration registration_;
   std::optional<RegistrationAnswer> answer_;  // that came since the last tick
   std::uint32_t selectable_ = 0;
+  // PX4 takes off by our setpoints in offboard mode, and not in a registered one.
+  bool has_taken_off_ = false;
   double matched_s_ = -1.0;  // since when both sides hear each other; < 0: not known
   ModeHindrance hindrance_ = ModeHindrance::kNotReady;
   SafetyReason reason_ = SafetyReason::kNone;

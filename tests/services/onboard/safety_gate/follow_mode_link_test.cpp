@@ -72,6 +72,7 @@ class FollowModeOnDds : public ::testing::Test {
     if (selected_ >= 0)
       status_.sample().nav_state_user_intention(static_cast<std::uint8_t>(selected_));
     status_.sample().can_set_nav_states_mask(keeper_.selectable());
+    status_.sample().takeoff_time(has_taken_off_ ? 1 : 0);
     status_.write();
   }
   void send_plan() {
@@ -137,7 +138,7 @@ class FollowModeOnDds : public ::testing::Test {
   AutopilotStatus autopilot_;
   int selected_ = -1, flies_ = -1;  // registered modes; -1: none
   int registrations_ = 0, setpoints_ = 0, commands_ = 0, completed_ = -1;
-  bool plans_ = true;
+  bool plans_ = true, has_taken_off_ = true;
   std::uint64_t plan_id_ = 100, order_id_ = 0;
   GateReport report_;
   std::string text_;
@@ -168,6 +169,21 @@ TEST_F(FollowModeOnDds, WithoutPlansOrAfterAStopItCannotBeSelectedAndTheReportSa
   ASSERT_TRUE(order(MissionOrder::kStop));
   EXPECT_TRUE(until([&] { return !offered(); }));
   EXPECT_TRUE(until([&] { return text_.find("stop stands") != std::string::npos; })) << text_;
+}
+
+// PX4 arms in a registered mode, and then does not take off by its setpoints.
+TEST_F(FollowModeOnDds, OnTheGroundItCanNeitherBeArmedInNorFlown) {
+  has_taken_off_ = false;
+  ASSERT_TRUE(until([&] {
+    return text_.find("mode Follow cannot be selected: take off first") != std::string::npos;
+  })) << text_;
+  ASSERT_TRUE(select(registered_.mode_id())) << "while it is disarmed every mode is taken";
+  const auto since_s = neighbours_.now_s();
+  EXPECT_TRUE(until([&] { return neighbours_.now_s() - since_s > 1.0; }));
+  EXPECT_FALSE(keeper_.can_run(registered_.mode_id()));
+  EXPECT_TRUE(is(MissionPhase::kIdle));
+  has_taken_off_ = true;
+  EXPECT_TRUE(until([&] { return offered(); }));
 }
 
 TEST_F(FollowModeOnDds, AFlightControllerThatWasRestartedIsAskedAnew) {
