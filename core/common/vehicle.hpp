@@ -84,12 +84,14 @@ enum class FlightMode : std::uint8_t {
 struct AutopilotStatus {
   double stamp_s = -1.0;  ///< below 0: never heard of
   bool armed = false;     ///< the motors may turn
-  bool offboard = false;  ///< it flies our setpoints
+  bool offboard = false;  ///< it flies our setpoints, in offboard mode or in our own
   bool failsafe = false;  ///< it has taken over by itself
   FlightMode mode = FlightMode::kUnknown;
   bool sticks_moved = false;    ///< the pilot's, just now
   bool user_took_over = false;  ///< from a failsafe
   int system_id = 1;            ///< commands to another one are ignored without a word
+  bool own_mode = false;        ///< it flies the mode that we registered with it
+  bool own_selected = false;    ///< somebody has chosen that mode, whether it flies or not
 };
 
 /// What kind of thing is asked of a flight controller.

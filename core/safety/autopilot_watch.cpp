@@ -100,8 +100,15 @@ MissionEnd delegated_end(MissionPhase phase, const AutopilotStatus& status) {
 }
 
 std::string_view to_string(AutopilotRequest request) {
-  constexpr std::array<std::string_view, 8> names = {
-      "nothing", "arm", "offboard", "return", "land", "take off", "hold", "another return place"};
+  constexpr std::array<std::string_view, 9> names = {"nothing",
+                                                     "arm",
+                                                     "offboard",
+                                                     "return",
+                                                     "land",
+                                                     "take off",
+                                                     "hold",
+                                                     "another return place",
+                                                     "the pilot's position mode"};
   return names[static_cast<std::size_t>(request)];
 }
 std::string_view to_string(CommandResult result) {

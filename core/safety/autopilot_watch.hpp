@@ -10,7 +10,7 @@
 
 namespace foretrack {
 
-/// kHold: loiter where it is. kHome: to return to another place.
+/// kHold: loiter where it is. kHome: to return to another place. kPilot: the pilot's position mode.
 enum class AutopilotRequest : std::uint8_t {
   kNone,
   kArm,
@@ -19,7 +19,8 @@ enum class AutopilotRequest : std::uint8_t {
   kLand,
   kTakeOff,
   kHold,
-  kHome
+  kHome,
+  kPilot
 };
 
 /// The flight controller's answer to a request.

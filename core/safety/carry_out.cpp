@@ -16,6 +16,7 @@ struct Step {
   Request start();
   Request delegate();
   Request stand();
+  Request give_to_pilot();
 
  private:
   Request ask(Request request) {
@@ -76,18 +77,31 @@ Request Step::delegate() {
   const AskProgress asked = progress();
   if (asked.state == AskState::kWaits) return Request::kNone;
   if (asked.state == AskState::kFailed) return hold_mission(s, mission, asked.why), Request::kNone;
+  // PX4 arms in the mode it is in, which after a flight can be one that may not run: it takes the
+  // mode to take off first, as it takes any while it is disarmed.
+  if (s.asked_other && mission.phase == MissionPhase::kTakingOff && !in.status.armed) {
+    if (s.asked_arm) return end(MissionEnd::kDisarmed);
+    s.asked_arm = true;
+    return ask(Request::kArm);
+  }
   if (s.asked_other) {
     s.delegated = true;
     mission.engaged = false;
     return Request::kNone;
   }
-  if (mission.phase == MissionPhase::kTakingOff && !in.status.armed) {
-    if (s.asked_arm) return end(MissionEnd::kDisarmed);
-    s.asked_arm = true;
-    return ask(Request::kArm);
-  }
   s.asked_other = s.by_itself = true;
   return ask(request_of_phase());
+}
+
+// PX4 hands a vehicle to moved sticks out of offboard mode, but not out of a registered one.
+bool is_taken_by_sticks(const Mission& mission, const AutopilotStatus& status) {
+  return mission.engaged && status.own_mode && taken_over(status) == MissionEnd::kSticks;
+}
+
+Request Step::give_to_pilot() {
+  ask(Request::kPilot);
+  end(MissionEnd::kSticks);
+  return Request::kPilot;
 }
 
 bool flies_by_itself(FlightMode mode) {
@@ -141,6 +155,7 @@ void begin_phase(CarryOut& state, double now_s, const AutopilotStatus& status) {
 AutopilotRequest carry_out(CarryOut& state, Mission& mission, const CarryOutInput& input,
                            const CarryOutParams& params) {
   Step step{state, mission, input, params};
+  if (is_taken_by_sticks(mission, input.status)) return step.give_to_pilot();
   switch (mission.phase) {
     case MissionPhase::kStarting:
       return step.start();

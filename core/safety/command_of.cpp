@@ -21,6 +21,9 @@ std::optional<AutopilotCommand> command_of(AutopilotRequest request, int system_
     case AutopilotRequest::kTakeOff:
       command.mode = FlightMode::kTakeOff;
       break;
+    case AutopilotRequest::kPilot:
+      command.mode = FlightMode::kPilot;
+      break;
     case AutopilotRequest::kHold:
       command.mode = FlightMode::kHold;
       break;

@@ -106,7 +106,11 @@ void ask_autopilot(GateState& s, const GateInput& in, const SafetyParams& p, Gat
   const bool ready = s.mode == SafetyMode::kTrack && in.now_s - s.last_fresh_s <= p.plan_fresh_s;
   const CarryOutInput input{in.now_s, in.autopilot, in.ack, ready, s.heartbeat_since_s};
   const CarryOutParams params = p.carry_out();
+  if (start_by_pilot(s.follow_mode, s.mission, in.autopilot, in.now_s))
+    begin_phase(s.carrying, in.now_s, in.autopilot);
+  const bool was_engaged = s.mission.engaged;
   r.request = carry_out(s.carrying, s.mission, input, params);
+  note_end(s.follow_mode, was_engaged, s.mission, in.autopilot);
   if (r.request == AutopilotRequest::kNone)
     r.request = ask_for_home(s.home, s.carrying, input, params);
   r.return_place_enu_m = s.home.place_enu_m;
@@ -262,6 +266,18 @@ void give_setpoint(GateState& s, const GateInput& in, Rung rung, const SafetyPar
   s.flies_plans = flies_plan(r);
 }
 
+// Whether the mode that a pilot selects could fly, or go on.
+void judge_mode(GateState& s, const GateInput& in, LadderInput ladder, const SafetyParams& p,
+                GateResult& r) {
+  ladder.phase = MissionPhase::kStarting;
+  const Rung rung = choose_rung(ladder);
+  if (rung.mode == SafetyMode::kTrack && in.now_s - s.last_fresh_s <= p.plan_fresh_s)
+    s.follow_mode.ready_s = in.now_s;
+  r.mode_hindrance =
+      hindrance_of(s.follow_mode, s.mission, in.autopilot, in.now_s, s.mode == SafetyMode::kSilent);
+  r.mode_reason = r.mode_hindrance == ModeHindrance::kSilent ? r.reason : rung.reason;
+}
+
 void fill_report(const GateState& s, const GateInput& in, GateResult& r) {
   r.phase = s.mission.phase;
   r.end = s.carrying.end;
@@ -302,6 +318,7 @@ GateResult gate(GateState& state, const GateInput& in, const SafetyParams& param
   conduct(state, in, params, r);
   look_at_plan(state, in, params, ladder, r);
   give_setpoint(state, in, choose_rung(ladder), params, r);
+  judge_mode(state, in, ladder, params, r);
   write_memory(state, in, r);
   r.limit = ladder.limit;
   fill_report(state, in, r);

@@ -13,6 +13,7 @@
 #include "core/common/moving_body.hpp"
 #include "core/common/trajectory.hpp"
 #include "core/common/vehicle.hpp"
+#include "core/safety/follow_mode.hpp"
 #include "core/safety/ladder.hpp"
 #include "core/safety/safety_params.hpp"
 #include "core/safety/take_order.hpp"
@@ -74,6 +75,7 @@ struct GateState {
   OrderState order;
   CarryOut carrying;
   HomeAsking home;
+  FollowMode follow_mode;
   GateMemory memory;
   double begun_s = -1.0;  // the first tick
 };
@@ -100,7 +102,9 @@ struct GateResult {
   PersonChoice person;  // as ordered, as are framing and bounds
   Framing framing;
   FlightBounds bounds;
-  FlightBounds::Corner return_place_enu_m;  // of the request for another home
+  FlightBounds::Corner return_place_enu_m;              // of the request for another home
+  ModeHindrance mode_hindrance = ModeHindrance::kNone;  // of the mode that a pilot selects
+  SafetyReason mode_reason = SafetyReason::kNone;       // why it is not ready
 };
 
 /// The setpoint is of a plan: the vehicle is not held, and nobody else flies it.

@@ -30,12 +30,17 @@ bool is_believable(const OdometryWatch& watch, const VehicleState& state, double
   return age_s <= p.oldest_s && age_s >= -p.future_s;
 }
 
-// What the step is beyond what the velocities tell.
+// What the step is beyond what the velocities tell. Where stamps and arrivals differ, the way took
+// longer, or a clock was set: the one that explains the step was right.
 Vec3 unexplained_m(const OdometryWatch& watch, const VehicleState& state, double at_s) {
   const Vec3 mean = 0.5 * (watch.state.velocity_enu_m_s + state.velocity_enu_m_s);
-  const double dt_s =
-      goes_on(watch, state, at_s) ? state.stamp_s - watch.state.stamp_s : at_s - watch.at_s;
-  return state.position_enu_m - watch.state.position_enu_m - dt_s * mean;
+  const Vec3 step = state.position_enu_m - watch.state.position_enu_m;
+  const Vec3 by_stamp = step - (state.stamp_s - watch.state.stamp_s) * mean;
+  const Vec3 by_arrival = step - (at_s - watch.at_s) * mean;
+  const bool in_order = state.stamp_s > watch.state.stamp_s;
+  if (goes_on(watch, state, at_s) || (in_order && by_stamp.norm() < by_arrival.norm()))
+    return by_stamp;
+  return by_arrival;
 }
 
 void compare(OdometryWatch& watch, const VehicleState& state, double at_s,

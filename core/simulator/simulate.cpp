@@ -135,6 +135,12 @@ void walk_on(SimulatorState& state, double dt_s) {
       state.color_camera->bystanders[i].person.state = state.bystanders[i].state;
 }
 
+void look(SimulatorState& state) {
+  state.output.target = state.person.state;
+  state.output.bystanders = state.bystanders;
+  take_images(state, state.scenario.target.person.height_m);
+}
+
 }  // namespace
 
 SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const PersonModel> model,
@@ -178,7 +184,6 @@ SimulatorState make_simulator(const Scenario& scenario, std::shared_ptr<const Pe
 const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& input, double dt_s) {
   if (!(dt_s > 0.0)) throw std::invalid_argument("simulate: dt_s must be greater than 0");
   const Scenario& scenario = state.scenario;
-  const double height_m = scenario.target.person.height_m;
   const Setpoint& setpoint =
       update_autopilot(state.autopilot, input, state.quadrotor.vehicle, dt_s);
   fly_setpoint(scenario.quadrotor, scenario.wind, state.quadrotor, setpoint,
@@ -199,9 +204,18 @@ const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& inp
   out.home_enu_m = state.autopilot.home_enu_m;
   drain(out.battery, out.acceleration_enu_m_s2.z(), out.acceleration_enu_m_s2.head<2>().norm(),
         motors_turn(state.autopilot), dt_s);
-  out.target = state.person.state;
-  out.bystanders = state.bystanders;
-  take_images(state, height_m);
+  look(state);
+  return out;
+}
+
+const SimulatorOutput& simulate_around(SimulatorState& state, const VehicleState& vehicle) {
+  SimulatorOutput& out = state.output;
+  const double dt_s = vehicle.stamp_s - out.now_s;
+  if (!(dt_s > 0.0)) throw std::invalid_argument("simulate_around: a later stamp is expected");
+  walk_on(state, dt_s);
+  out.now_s = state.person.state.stamp_s = vehicle.stamp_s;
+  out.vehicle = state.quadrotor.vehicle = vehicle;
+  look(state);
   return out;
 }
 

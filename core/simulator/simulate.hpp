@@ -62,4 +62,8 @@ SimulatorState make_simulator(const Scenario& scenario,
 /// depth comes from the same pass, at the next colour image when it is due).
 const SimulatorOutput& simulate(SimulatorState& state, const AutopilotInput& input, double dt_s);
 
+/// The same around a vehicle that flies by itself: until its stamp people walk on, and cameras see
+/// from where it is. Throws std::invalid_argument unless its stamp is later than the last one.
+const SimulatorOutput& simulate_around(SimulatorState& state, const VehicleState& vehicle);
+
 }  // namespace foretrack

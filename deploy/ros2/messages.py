@@ -17,7 +17,7 @@ MSG = HERE / "foretrack_msgs" / "msg"
 PRIMITIVES = {"boolean": "bool", "octet": "byte", "uint8": "uint8", "int8": "int8",
               "int16": "int16", "uint16": "uint16", "int32": "int32", "uint32": "uint32",
               "int64": "int64", "uint64": "uint64", "float": "float32", "double": "float64",
-              "string": "string"}
+              "string": "string", "char": "char"}
 
 STRUCT = re.compile(r"struct (\w+) \{$")
 CONSTANTS = re.compile(r"module (\w+)_Constants \{$")

@@ -6,6 +6,7 @@
 
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
+#include "services/common/find_px4.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
 #include "services/operator/diagnose.hpp"
@@ -35,6 +36,7 @@ std::vector<Finding> examine(DoctorArguments arguments) {
   Stop stop;
   SignalStop signals(stop);
   arguments.node.service = "doctor";
+  settle_px4_release(arguments.node, stop);
   Node node(arguments.node);
   Loop loop(node, stop);
   Listener listener(node, true);

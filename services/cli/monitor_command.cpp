@@ -6,6 +6,7 @@
 
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
+#include "services/common/find_px4.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
 #include "services/operator/listener.hpp"
@@ -32,6 +33,7 @@ int run_monitor(MonitorArguments arguments) {
   SignalStop signals(stop);
   set_up_logging(on_screen ? "off" : "warning");
   arguments.node.service = "monitor";
+  settle_px4_release(arguments.node, stop);
   Node node(arguments.node);
   Loop loop(node, stop);
   Listener listener(node, false);

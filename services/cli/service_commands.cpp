@@ -11,11 +11,13 @@
 #include "services/cli/commands.hpp"
 #include "services/cli/scenario_options.hpp"
 #include "services/cli/vehicle_file.hpp"
+#include "services/common/px4_releases.hpp"
 #include "services/files/config/load_params.hpp"
 #include "services/files/config/load_scenario.hpp"
 #include "services/launch/launcher.hpp"
 #include "services/offline/people/load_person.hpp"
 #include "services/onboard/onboard.hpp"
+#include "services/simulator/around_px4.hpp"
 #include "services/simulator/simulator_service.hpp"
 
 namespace foretrack {
@@ -130,41 +132,68 @@ std::function<int()> prepare_onboard(CLI::App& app) {
   };
 }
 
-std::function<int()> prepare_simulator(CLI::App& app) {
-  struct Options {
-    ServiceOptions service;
-    std::string scenario = "t_intersection", map;
-    ScenarioOverrides overrides;
-    SimulatorOptions simulator;
-  };
-  const auto o = std::make_shared<Options>();
+struct SimulatorArguments {
+  ServiceOptions service;
+  std::string scenario = "t_intersection", map;
+  ScenarioOverrides overrides;
+  SimulatorOptions simulator;
+};
+
+std::shared_ptr<SimulatorArguments> add_simulator_options(CLI::App& app) {
+  const auto o = std::make_shared<SimulatorArguments>();
   add_options(app, o->service);
   app.add_option("--scenario", o->scenario, "shipped name or file")->capture_default_str();
   app.add_option("--map", o->map, "known or depth")->check(CLI::IsMember({"known", "depth"}));
   app.add_option("--seed", o->overrides.seed, "of everything random");
   add_settings(app, o->overrides);
-  add_vehicles(app, o->overrides);
   app.add_option("--for", o->overrides.duration_s, "seconds to simulate");
   app.add_option("--track", o->overrides.track_file, "walk as this recorded pedestrian");
   app.add_option("--pedestrian", o->overrides.pedestrian, "number of the pedestrian in the track");
-  app.add_option("--speed", o->simulator.speed, "simulated seconds in a second")
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
   app.add_flag("--endless", o->simulator.endless, "go on after the scenario's duration");
   app.add_option("--people-wait", o->simulator.people_wait_s,
                  "people stand until the vehicle flies in offboard mode, at most so many seconds")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_flag("--camera", o->overrides.color_images, "render images instead of landmarks");
-  return [o] {
-    if (!o->map.empty())
-      o->overrides.map = o->map == "known" ? MapSource::kKnown : MapSource::kDepth;
-    const Scenario scenario = load_scenario(o->scenario, o->overrides);
-    o->simulator.person = person_of(scenario);
-    o->simulator.bystanders = bystanders_of(scenario);
-    return run_until_stopped(
-        o->service, [&](Stop& stop) { run_simulator(o->service, scenario, o->simulator, stop); });
+  return o;
+}
+
+using RunSimulator = void (*)(const ServiceOptions&, const Scenario&, const SimulatorOptions&,
+                              Stop&);
+
+int simulate_scenario(SimulatorArguments& o, RunSimulator run) {
+  if (!o.map.empty()) o.overrides.map = o.map == "known" ? MapSource::kKnown : MapSource::kDepth;
+  const Scenario scenario = load_scenario(o.scenario, o.overrides);
+  o.simulator.person = person_of(scenario);
+  o.simulator.bystanders = bystanders_of(scenario);
+  return run_until_stopped(o.service,
+                           [&](Stop& stop) { run(o.service, scenario, o.simulator, stop); });
+}
+
+std::function<int()> prepare_simulator(CLI::App& app) {
+  const auto o = add_simulator_options(app);
+  add_vehicles(app, o->overrides);
+  app.add_option("--speed", o->simulator.speed, "simulated seconds in a second")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  return [o] { return simulate_scenario(*o, run_simulator); };
+}
+
+// Here the release may be left out: --px4 says whose vehicle it is.
+std::function<int()> prepare_simulate(CLI::App& app) {
+  const auto o = add_simulator_options(app);
+  o->simulator.people_wait_s = 3600.0;
+  app.remove_option(app.get_option("--px4"));
+  const auto take = [o](const std::string& release) {
+    const bool any = release.empty() || release == "true" || release == "auto";
+    if (!any) check_px4_release(release);
+    o->service.names.px4_release = any ? "" : release;
   };
+  app.add_option_function<std::string>(
+         "--px4", take, "the vehicle is PX4's, in its own simulation; its release, or auto")
+      ->expected(0, 1)
+      ->required();
+  return [o] { return simulate_scenario(*o, run_around_px4); };
 }
 
 }  // namespace
@@ -181,7 +210,9 @@ std::vector<Command> service_commands() {
            prepare_onboard},
           {"black_box", "what onboard records of each flight", prepare_black_box},
           {"check", "whether the vehicle would start with its file", prepare_check},
-          {"simulator", "vehicle, cameras and person of a scenario", prepare_simulator}};
+          {"simulator", "vehicle, cameras and person of a scenario", prepare_simulator},
+          {"simulate", "cameras and person of a scenario around a vehicle of PX4's simulation",
+           prepare_simulate}};
 }
 
 }  // namespace foretrack

@@ -8,6 +8,7 @@
 
 #include "services/cli/bus_options.hpp"
 #include "services/cli/commands.hpp"
+#include "services/common/find_px4.hpp"
 #include "services/common/loop.hpp"
 #include "services/common/options.hpp"
 #include "services/operator/snapshot_json.hpp"
@@ -48,6 +49,7 @@ int run_topics(TopicsArguments arguments) {
   Stop stop;
   SignalStop signals(stop);
   arguments.node.service = "topics";
+  settle_px4_release(arguments.node, stop);
   Node node(arguments.node);
   Loop loop(node, stop);
   TopicWatch watch(node);

@@ -90,9 +90,10 @@ void Loop::run() {
     reader->waited_for = true;
     wait_set.attach_condition(reader->dds->reader->get_statuscondition());
   }
-  while (!stop_.requested()) {
+  while (!stop_.requested() && !leaves_) {
     let_best_effort_in(wait_set);
     wake_up();
+    if (leaves_) break;
     dds::ConditionSeq active;
     const double wait = wait_s();
     const auto whole = static_cast<std::int32_t>(wait);

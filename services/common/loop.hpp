@@ -68,6 +68,8 @@ class Loop {
 
   /// Until the stop is requested.
   void run();
+  /// Ends run() after the present wake-up, though no stop was requested.
+  void leave() { leaves_ = true; }
 
   LoopStats take_stats();
 
@@ -95,6 +97,7 @@ class Loop {
   std::vector<ReaderCore*> wakers_;
   std::vector<RosServer*> servers_;
   std::vector<Timer> timers_;
+  bool leaves_ = false;
   LoopStats stats_;
 };
 

@@ -29,7 +29,7 @@ struct Names {
   std::string vehicle = "uav1";
   std::string clock_topic = "clock";
   std::string px4_namespace;                  // empty, or px4_<n>
-  std::string px4_release;                    // "1.17"; empty: that of idl/px4_msgs
+  std::string px4_release;                    // "1.17"; empty: not told, so that of idl/px4_msgs
   std::string body_frame = "base_link";       // as drivers and estimators call it
   bool odometry_is_map = false;               // whatever frame it names
   std::map<std::string, std::string> remaps;  // names to topics of ROS 2: odometry → mavros/odom

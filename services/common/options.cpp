@@ -65,8 +65,13 @@ void add_names_options(CLI::App& app, Names& names) {
   app.add_option("--vehicle", names.vehicle, "Vehicle name; topics are rt/<vehicle>/...")
       ->capture_default_str();
   app.add_option("--px4-namespace", names.px4_namespace, "px4_<n> if PX4 has a namespace");
-  app.add_option("--px4", names.px4_release, "Release of PX4, whose messages differ; default 1.16")
-      ->check(CLI::IsMember({"1.15", "1.16", "1.17", "1.18"}));
+  app.add_option_function<std::string>(
+         "--px4",
+         [&names](const std::string& release) {
+           names.px4_release = release == "auto" ? "" : release;
+         },
+         "Release of PX4, whose messages differ; auto, the default: as its topics tell")
+      ->check(CLI::IsMember({"auto", "1.15", "1.16", "1.17", "1.18"}));
   using Words = std::vector<std::string>;
   app.add_option_function<Words>(
          "--preset",
@@ -134,6 +139,8 @@ void add_options(CLI::App& app, ServiceOptions& options) {
   app.add_flag(
       "--dry-run", options.dry_run,
       "safety_gate decides, shows and records, and sends nothing to the flight controller");
+  app.add_flag("--external-mode", options.external_mode,
+               "safety_gate registers a mode \"Follow\" with PX4, which a pilot selects to start");
   app.add_option(
          "--fleet-frame", options.fleet_frame,
          "Name of the world in which this vehicle's odometry is. Vehicles that name the same "
@@ -183,6 +190,7 @@ std::vector<std::string> arguments_of(const ServiceOptions& o) {
   add(!o.ros_distro.empty(), {"--ros-distro", o.ros_distro});
   add(o.px4_odometry, {"--px4-odometry"});
   add(o.dry_run, {"--dry-run"});
+  add(o.external_mode, {"--external-mode"});
   return words;
 }
 

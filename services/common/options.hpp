@@ -34,6 +34,7 @@ struct ServiceOptions {
   std::string ros_distro;           // see NodeOptions
   bool px4_odometry = false;        // PX4's own estimate is the vehicle's odometry
   bool dry_run = false;             // nothing is sent to the flight controller
+  bool external_mode = false;       // a mode "Follow" is registered with it, for a pilot to select
   std::string interface;            // of the network; empty: see NodeOptions
   std::string security;             // folder of the identity; empty: see NodeOptions
   std::vector<std::string> peers;   // see NodeOptions
@@ -47,10 +48,9 @@ struct ServiceOptions {
 
 /// Those of add_names_options, and --config --domain --interface --security --peer
 /// --discovery-server --params --print-params --use-sim-time --clock-topic --color-mount
-/// --depth-mount --ros-distro --px4-odometry --dry-run --fleet-frame --state-dir --no-record
-/// --record-dir --record-gb --record-days
-/// --record-images --log-level. The
-/// domain's default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
+/// --depth-mount --ros-distro --px4-odometry --dry-run --external-mode --fleet-frame --state-dir
+/// --no-record --record-dir --record-gb --record-days --record-images --log-level. The domain's
+/// default is $ROS_DOMAIN_ID, the state's folder is $STATE_DIRECTORY (as systemd sets it),
 /// $XDG_STATE_HOME/foretrack or ~/.local/state/foretrack.
 void add_options(CLI::App& app, ServiceOptions& options);
 

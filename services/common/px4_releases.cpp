@@ -264,6 +264,55 @@ constexpr auto kDefinitions = std::to_array<Definition>({
      "uint64 timestamp, float64 lat, float64 lon, float32 alt, float32 x, float32 y, "
      "float32 z, float32 roll, float32 pitch, float32 yaw, bool valid_alt, bool valid_hpos, "
      "bool valid_lpos, bool manual_home, uint32 update_count"},
+    {"RegisterExtComponentRequest", 15, 17, 0,
+     "uint64 timestamp, uint64 request_id, char[25] name, uint16 px4_ros2_api_version, "
+     "bool register_arming_check, bool register_mode, bool register_mode_executor, "
+     "bool enable_replace_internal_mode, uint8 replace_internal_mode, "
+     "bool activate_mode_immediately"},
+    {"RegisterExtComponentRequest", 18, 18, 2,
+     "uint64 timestamp, uint64 request_id, char[25] name, uint16 px4_ros2_api_version, "
+     "bool register_arming_check, bool register_mode, bool register_mode_executor, "
+     "bool enable_replace_internal_mode, uint8 replace_internal_mode, "
+     "bool activate_mode_immediately, bool not_user_selectable, "
+     "bool request_offboard_setpoints"},
+    {"RegisterExtComponentReply", 15, 17, 0,
+     "uint64 timestamp, uint64 request_id, char[25] name, uint16 px4_ros2_api_version, "
+     "bool success, int8 arming_check_id, int8 mode_id, int8 mode_executor_id"},
+    {"RegisterExtComponentReply", 18, 18, 1,
+     "uint64 timestamp, uint64 request_id, char[25] name, uint16 px4_ros2_api_version, "
+     "bool success, int8 arming_check_id, int8 mode_id, int8 mode_executor_id, "
+     "bool not_user_selectable"},
+    {"UnregisterExtComponent", 15, 18, 0,
+     "uint64 timestamp, char[25] name, int8 arming_check_id, int8 mode_id, "
+     "int8 mode_executor_id"},
+    {"ArmingCheckRequest", 15, 16, 0, "uint64 timestamp, uint8 request_id"},
+    {"ArmingCheckRequest", 17, 18, 1,
+     "uint64 timestamp, uint8 request_id, uint32 valid_registrations_mask"},
+    {"ArmingCheckReply", 15, 16, 0,
+     "uint64 timestamp, uint8 request_id, uint8 registration_id, "
+     "uint8 health_component_index, bool health_component_is_present, "
+     "bool health_component_warning, bool health_component_error, bool can_arm_and_run, "
+     "uint8 num_events, Event[5] events, bool mode_req_angular_velocity, "
+     "bool mode_req_attitude, bool mode_req_local_alt, bool mode_req_local_position, "
+     "bool mode_req_local_position_relaxed, bool mode_req_global_position, "
+     "bool mode_req_mission, bool mode_req_home_position, bool mode_req_prevent_arming, "
+     "bool mode_req_manual_control"},
+    {"ArmingCheckReply", 17, 18, 1,
+     "uint64 timestamp, uint8 request_id, uint8 registration_id, "
+     "uint8 health_component_index, bool health_component_is_present, "
+     "bool health_component_warning, bool health_component_error, bool can_arm_and_run, "
+     "uint8 num_events, Event[5] events, bool mode_req_angular_velocity, "
+     "bool mode_req_attitude, bool mode_req_local_alt, bool mode_req_local_position, "
+     "bool mode_req_local_position_relaxed, bool mode_req_global_position, "
+     "bool mode_req_global_position_relaxed, bool mode_req_mission, "
+     "bool mode_req_home_position, bool mode_req_prevent_arming, bool mode_req_manual_control"},
+    {"Event", 15, 16, 0,
+     "uint64 timestamp, uint32 id, uint16 event_sequence, uint8[25] arguments, "
+     "uint8 log_levels"},
+    {"Event", 17, 18, 1,
+     "uint64 timestamp, uint32 id, uint16 event_sequence, uint8[25] arguments, "
+     "uint8 log_levels"},
+    {"ModeCompleted", 15, 18, 0, "uint64 timestamp, uint8 result, uint8 nav_state"},
 });
 
 int minor_of(std::string_view release) {
@@ -292,8 +341,12 @@ const Definition* find(std::string_view release, Matches matches) {
   return it == kDefinitions.end() ? nullptr : &*it;
 }
 
+constexpr std::size_t kMostAligned = 8;
+
 std::size_t bytes_of(std::string_view type) {
-  if (type.starts_with("uint8") || type.starts_with("int8") || type.starts_with("bool")) return 1;
+  for (const char* byte : {"uint8", "int8", "bool", "char"})
+    if (type.starts_with(byte)) return 1;
+  if (type.starts_with("Event")) return 40;  // the only message within others, alike in all
   if (type.find("16") != std::string_view::npos) return 2;
   return type.find("64") != std::string_view::npos ? 8 : 4;
 }
@@ -354,7 +407,8 @@ Px4Layout px4_layout_of(std::string_view type, std::string_view release) {
     const auto space = field.find(' ');
     const auto type_name = field.substr(0, space);
     const std::size_t bytes = bytes_of(type_name);
-    layout.bytes = (layout.bytes + bytes - 1) / bytes * bytes;
+    const std::size_t aligned = std::min(bytes, kMostAligned);
+    layout.bytes = (layout.bytes + aligned - 1) / aligned * aligned;
     layout.fields.push_back({field.substr(space + 1), layout.bytes, bytes * count_of(type_name)});
     layout.bytes += layout.fields.back().bytes;
   }

@@ -8,18 +8,6 @@ namespace {
 
 constexpr double kHealthPeriod_s = 1.0;
 
-NodeOptions node_options(const std::string& name, const ServiceOptions& options) {
-  return {name,
-          options.names,
-          options.domain_id,
-          options.use_sim_time,
-          options.ros_distro,
-          options.interface,
-          options.security,
-          options.peers,
-          options.discovery_server};
-}
-
 // What ROS 2's tools expect of every node, and the level of the log, which may change in flight.
 void add_own(Parameters& parameters, bool use_sim_time) {
   using namespace rcl_interfaces::msg::ParameterValue_Constants;
@@ -54,6 +42,18 @@ void add_own(Parameters& parameters, bool use_sim_time) {
 }
 
 }  // namespace
+
+NodeOptions node_options(const std::string& service, const ServiceOptions& options) {
+  return {service,
+          options.names,
+          options.domain_id,
+          options.use_sim_time,
+          options.ros_distro,
+          options.interface,
+          options.security,
+          options.peers,
+          options.discovery_server};
+}
 
 Service::Service(const std::string& name, const ServiceOptions& options, Stop& stop)
     : options_(options),

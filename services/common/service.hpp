@@ -19,6 +19,9 @@
 
 namespace foretrack {
 
+/// Of the service's node.
+NodeOptions node_options(const std::string& service, const ServiceOptions& options);
+
 class Service {
  public:
   /// Throws as Node does.

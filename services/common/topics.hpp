@@ -260,6 +260,34 @@ struct ParameterEvents {
   static constexpr TopicInfo info{"parameter_events", Scope::kShared, "command",
                                   kVehicle | kGate | kSimulator};
 };
+// the mode that the vehicle registers with PX4, for a pilot to select
+struct Px4RegisterRequest {
+  using Type = px4_msgs::msg::RegisterExtComponentRequest;
+  static constexpr TopicInfo info{"fmu/in/register_ext_component_request", Scope::kPx4, "command",
+                                  kGate};
+};
+struct Px4RegisterReply {
+  using Type = px4_msgs::msg::RegisterExtComponentReply;
+  static constexpr TopicInfo info{"fmu/out/register_ext_component_reply", Scope::kPx4, "sensor",
+                                  kAutopilot | kSimulator};
+};
+struct Px4Unregister {
+  using Type = px4_msgs::msg::UnregisterExtComponent;
+  static constexpr TopicInfo info{"fmu/in/unregister_ext_component", Scope::kPx4, "command", kGate};
+};
+struct Px4ArmingCheckRequest {
+  using Type = px4_msgs::msg::ArmingCheckRequest;
+  static constexpr TopicInfo info{"fmu/out/arming_check_request", Scope::kPx4, "sensor",
+                                  kAutopilot | kSimulator};
+};
+struct Px4ArmingCheckReply {
+  using Type = px4_msgs::msg::ArmingCheckReply;
+  static constexpr TopicInfo info{"fmu/in/arming_check_reply", Scope::kPx4, "state", kGate};
+};
+struct Px4ModeCompleted {
+  using Type = px4_msgs::msg::ModeCompleted;
+  static constexpr TopicInfo info{"fmu/in/mode_completed", Scope::kPx4, "command", kGate};
+};
 
 /// All of them, for the tests and the monitor.
 using All =
@@ -272,6 +300,8 @@ using All =
                Diagnostics, Rosout, ParameterEvents, TargetTruth, VehicleTruth, Px4VehicleOdometry,
                Px4VehicleStatus, Px4VehicleLocalPosition, Px4VehicleControlMode, Px4BatteryStatus,
                Px4HomePosition, Px4FailsafeFlags, Px4VehicleCommandAck, Px4ManualControlSetpoint,
-               Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand>;
+               Px4TimesyncStatus, Px4OffboardControlMode, Px4TrajectorySetpoint, Px4VehicleCommand,
+               Px4RegisterRequest, Px4RegisterReply, Px4Unregister, Px4ArmingCheckRequest,
+               Px4ArmingCheckReply, Px4ModeCompleted>;
 
 }  // namespace foretrack::topics

@@ -19,6 +19,7 @@ constexpr double kMaxStamp_s = 1e10;
 constexpr float kCustomModeEnabled = 1.0f;  // of VEHICLE_CMD_DO_SET_MODE
 constexpr float kAutoMainMode = 4.0f;       // PX4_CUSTOM_MAIN_MODE_AUTO
 constexpr float kOffboardMainMode = 6.0f;   // PX4_CUSTOM_MAIN_MODE_OFFBOARD
+constexpr float kPositionMainMode = 3.0f;   // PX4_CUSTOM_MAIN_MODE_POSCTL
 constexpr float kLoiterSubMode = 3.0f;      // PX4_CUSTOM_SUB_MODE_AUTO_LOITER
 constexpr float kForced = 21196.0f;         // of VEHICLE_CMD_COMPONENT_ARM_DISARM
 
@@ -41,6 +42,9 @@ void set_mode(FlightMode mode, msg::VehicleCommand& out) {
     case FlightMode::kOffboard:
       out.param2(kOffboardMainMode);
       break;
+    case FlightMode::kPilot:
+      out.param2(kPositionMainMode);
+      break;
     default:
       out.param2(kAutoMainMode);
       out.param3(kLoiterSubMode);
@@ -52,8 +56,9 @@ void set_mode(FlightMode mode, msg::VehicleCommand& out) {
 
 FlightMode mode_of(Checks& checks, const msg::VehicleCommand& in) {
   if (in.param2() == kOffboardMainMode) return FlightMode::kOffboard;
+  if (in.param2() == kPositionMainMode) return FlightMode::kPilot;
   if (in.param2() != kAutoMainMode)
-    checks.fail("param2", std::to_string(in.param2()), "4 (auto) or 6 (offboard)");
+    checks.fail("param2", std::to_string(in.param2()), "3 (position), 4 (auto) or 6 (offboard)");
   else if (in.param3() != kLoiterSubMode)
     checks.fail("param3", std::to_string(in.param3()), "3 (loiter)");
   return FlightMode::kHold;

@@ -37,7 +37,9 @@ Json json_of(const foretrack_msgs::msg::SafetyState& s) {
           {"reason", explain_gate(s.reason())},
           {"armed", s.armed()},
           {"offboard", s.offboard()},
-          {"heartbeat", s.heartbeat()}};
+          {"heartbeat", s.heartbeat()},
+          {"deviation_m", s.deviation_m()},
+          {"text", s.text().c_str()}};
 }
 
 Json json_of(const ServiceReport& s) {

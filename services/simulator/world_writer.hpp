@@ -2,13 +2,7 @@
 // What a world and its vehicle put on the bus: sensors, autopilot, truth.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "core/simulator/simulate.hpp"
-#include "foretrack_msgs/msg/BodySightings.h"
-#include "foretrack_msgs/msg/LocalMap.h"
-#include "foretrack_msgs/msg/TargetObservation.h"
 #include "nav_msgs/msg/Odometry.h"
 #include "px4_msgs/msg/BatteryStatus.h"
 #include "px4_msgs/msg/FailsafeFlags.h"
@@ -17,10 +11,9 @@
 #include "px4_msgs/msg/VehicleLocalPosition.h"
 #include "px4_msgs/msg/VehicleOdometry.h"
 #include "px4_msgs/msg/VehicleStatus.h"
-#include "sensor_msgs/msg/CameraInfo.h"
-#include "sensor_msgs/msg/Image.h"
 #include "services/common/service.hpp"
 #include "services/convert/px4_home.hpp"
+#include "services/simulator/scene_writer.hpp"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace foretrack {
@@ -39,15 +32,13 @@ class WorldWriter {
  private:
   void publish_vehicle(const SimulatorOutput& out);
   void publish_autopilot(const SimulatorOutput& out);
-  void publish_cameras(const SimulatorOutput& out);
-  void publish_truth(const SimulatorOutput& out);
   bool every(int steps) const { return steps_ % steps == 0; }
 
   long steps_ = 0;
   AutopilotStatus autopilot_;
   bool offboard_possible_ = false, trouble_ = false;
 
-  const std::string body_frame_, camera_frame_;
+  SceneWriter scene_;
   Writer<topics::Odometry> odometry_;
   Writer<topics::Px4VehicleOdometry> px4_odometry_;
   Writer<topics::Px4VehicleLocalPosition> px4_position_;
@@ -56,17 +47,7 @@ class WorldWriter {
   Writer<topics::Px4HomePosition> px4_home_;
   Writer<topics::Px4FailsafeFlags> px4_flags_;
   Writer<topics::Px4ManualControlSetpoint> px4_sticks_;
-  std::optional<Writer<topics::TargetObservation>> observation_;  // not beside images
-  std::optional<Writer<topics::BodySightings>> sightings_;        // the same
-  Writer<topics::DepthImage> depth_;
-  Writer<topics::DepthCameraInfo> camera_info_;
-  Writer<topics::ColorImage> color_;
-  Writer<topics::ColorCameraInfo> color_info_;
-  Writer<topics::TargetTruth> target_truth_;
-  Writer<topics::VehicleTruth> vehicle_truth_;
   Writer<topics::Transforms> transforms_;
-  Writer<topics::StaticTransforms> mount_;
-  Writer<topics::LocalMap> map_;
 };
 
 }  // namespace foretrack

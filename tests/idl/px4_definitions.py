@@ -18,7 +18,9 @@ TABLE = Path(__file__).resolve().parents[2] / "services/common/px4_releases.cpp"
 RELEASES = (15, 16, 17, 18)
 MESSAGES = ("VehicleStatus", "BatteryStatus", "VehicleLocalPosition", "FailsafeFlags", "VehicleOdometry",
             "VehicleControlMode", "VehicleCommand", "VehicleCommandAck", "ManualControlSetpoint",
-            "OffboardControlMode", "TrajectorySetpoint", "TimesyncStatus", "HomePosition")
+            "OffboardControlMode", "TrajectorySetpoint", "TimesyncStatus", "HomePosition",
+            "RegisterExtComponentRequest", "RegisterExtComponentReply", "UnregisterExtComponent",
+            "ArmingCheckRequest", "ArmingCheckReply", "Event", "ModeCompleted")
 
 
 def show(folder, release, message):

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <cmath>
 
 #include "core/safety/command_of.hpp"
+#include "services/common/find_px4.hpp"
 #include "services/common/px4_releases.hpp"
+#include "services/common/time_now.hpp"
 #include "services/convert/px4.hpp"
 #include "services/convert/px4_command.hpp"
 #include "services/convert/px4_health.hpp"
@@ -22,12 +24,16 @@ constexpr auto convert = [](auto&& message) {
 constexpr std::size_t kMaxAcks = 8;
 constexpr double kOneWriterSilence_s = 2.0;
 constexpr double kLook_s = 1.0;
+constexpr double kHeard_s = 2.0;
+constexpr double kTimeFault_s = 0.5;  // more than a status can be late
+constexpr double kBegins_s = 5.0;  // in which a gate that was started in flight may change its ear
 
 }  // namespace
 
 AutopilotLink::AutopilotLink(Service& service, bool dry_run)
     : service_(service),
       dry_run_(dry_run),
+      begun_s_(steady_s()),
       status_reader_(service.node()),
       flags_reader_(service.node()),
       ack_reader_(service.node()),
@@ -40,10 +46,20 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
       command_(service.node()) {
   status_reader_.pin_writer(kOneWriterSilence_s);
   Loop& loop = service.loop();
-  loop.on_newest(status_reader_, convert, [this](const AutopilotStatus& status) {
-    status_ = status;
-    status_at_s_ = service_.clock().steady_s();
-  });
+  if (service.options().external_mode && !dry_run) follow_mode_.emplace(service);
+  loop.on_newest(
+      status_reader_,
+      [this](const px4_msgs::msg::VehicleStatus& message) {
+        auto status = from_idl(message);
+        if (status && follow_mode_) follow_mode_->hear(message, *status);
+        return status;
+      },
+      [this](const AutopilotStatus& status) {
+        status_ = status;
+        status_at_s_ = service_.clock().steady_s();
+        const double now_s = service_.clock().now_s();  // 0 until a simulated one is heard
+        ahead_s_ = now_s > 0.0 ? status.stamp_s - now_s : 0.0;
+      });
   loop.on_each(flags_reader_, [this](const px4_msgs::msg::FailsafeFlags& flags) {
     hindrance_ = what_hinders_offboard(flags);
     silence_alone_ = is_of_our_making(flags, silence_alone_ && status_.failsafe);
@@ -64,17 +80,30 @@ AutopilotLink::AutopilotLink(Service& service, bool dry_run)
 
 void AutopilotLink::look_at_release() {
   const Names& names = service_.node().options().names;
-  std::vector<std::string> topics;
-  for (const auto& endpoint : service_.node().endpoints())
-    if (endpoint.writes) topics.push_back(endpoint.topic);
   const auto expected = names.px4_release.empty() ? kPx4ReleaseOfIdl : names.px4_release;
-  const auto spoken = px4_release_of(topics, names.px4_namespace);
-  other_release_ = spoken.empty() || spoken == expected
+  const auto spoken = px4_release_on(service_.node());
+  spoken_release_ = spoken == expected ? std::string_view() : spoken;
+  other_release_ = spoken_release_.empty()
                        ? ""
                        : fmt::format(
                              "the flight controller speaks as PX4 {0} does, {1} is expected: "
                              "start with --px4 {0}",
                              spoken, expected);
+}
+
+std::string AutopilotLink::time_fault() const {
+  if (std::abs(ahead_s_) < kTimeFault_s) return "";
+  return fmt::format(
+      "the flight controller's stamps are not in this machine's time ({:+.1f} s): its "
+      "UXRCE_DDS_SYNCT is to be 1",
+      ahead_s_);
+}
+
+std::string_view AutopilotLink::better_release() const {
+  const double now_s = steady_s();
+  const bool heard = status_at_s_ >= 0.0 && service_.clock().steady_s() - status_at_s_ < kHeard_s;
+  const bool flies = heard && status_.armed && now_s - begun_s_ > kBegins_s;
+  return flies ? std::string_view() : spoken_release_;
 }
 
 // Others command the flight controller, too, and their answers come here as well.
@@ -103,8 +132,17 @@ void AutopilotLink::read(GateInput& input) {
   input.ack = &ack_;
 }
 
+std::string AutopilotLink::hindrance() const {
+  if (status_.offboard) return "";
+  const std::string mode = follow_mode_ ? follow_mode_->words() : "";
+  return hindrance_ + (hindrance_.empty() || mode.empty() ? "" : "; ") + mode;
+}
+
 void AutopilotLink::send(const GateResult& result, double stamp_s) {
   if (dry_run_) return;
+  const double since_s = service_.clock().steady_s() - status_at_s_;
+  const bool heard = status_at_s_ >= 0.0 && since_s < kHeard_s;
+  if (follow_mode_) follow_mode_->update(result, status_, heard, stamp_s);
   if (result.heartbeat) {
     to_heartbeat(stamp_s, heartbeat_.sample());
     heartbeat_.write();

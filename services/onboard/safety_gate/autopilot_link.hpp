@@ -19,6 +19,7 @@
 #include "px4_msgs/msg/VehicleStatus.h"
 #include "services/common/service.hpp"
 #include "services/convert/px4_home.hpp"
+#include "services/onboard/safety_gate/follow_mode_link.hpp"
 
 namespace foretrack {
 
@@ -35,8 +36,14 @@ class AutopilotLink {
   /// That it speaks as another release of PX4 than is expected, so that some of it is not heard,
   /// and some misread; empty: it does not.
   const std::string& other_release() const { return other_release_; }
-  /// Why it would refuse offboard mode; empty: nothing is known to hinder it.
-  std::string hindrance() const { return status_.offboard ? "" : hindrance_; }
+  /// That its stamps are not in our time; empty: they are.
+  std::string time_fault() const;
+  /// The release as which it speaks, where that is another one and nobody flies by this one: it
+  /// stands, or the gate has just begun. Else empty.
+  std::string_view better_release() const;
+  /// Why it would refuse offboard mode, and the mode that a pilot selects; empty: nothing is known
+  /// to hinder it.
+  std::string hindrance() const;
   /// Where it would return to; none: it does not say.
   const std::optional<Vec3>& home_enu_m() const { return home_enu_m_; }
 
@@ -48,6 +55,7 @@ class AutopilotLink {
 
   Service& service_;
   bool dry_run_;
+  double begun_s_;  // by this machine's clock
   Reader<topics::Px4VehicleStatus> status_reader_;
   Reader<topics::Px4FailsafeFlags> flags_reader_;
   Reader<topics::Px4VehicleCommandAck> ack_reader_;
@@ -58,11 +66,14 @@ class AutopilotLink {
   Writer<topics::Px4TrajectorySetpoint> setpoint_;
   Writer<topics::Px4OffboardControlMode> heartbeat_;
   Writer<topics::Px4VehicleCommand> command_;
+  std::optional<FollowModeLink> follow_mode_;  // none: no mode is registered
   AutopilotStatus status_;
   double status_at_s_ = -1.0;  // by arrival
+  double ahead_s_ = 0.0;       // of our time are its stamps
   bool sticks_moved_ = false;
   std::string hindrance_, other_release_;
-  bool silence_alone_ = false;  // is what its failsafe can act for
+  std::string_view spoken_release_;  // empty: as expected, or none
+  bool silence_alone_ = false;       // is what its failsafe can act for
   std::optional<BatteryState> battery_;
   std::optional<Vec3> home_enu_m_;
   std::optional<GlobalPlace> origin_;                 // of the world frame

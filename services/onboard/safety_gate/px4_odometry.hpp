@@ -16,6 +16,9 @@ class Px4Odometry {
   explicit Px4Odometry(Service& service);
 
  private:
+  void notice_reset(int counter);
+
+  int resets_ = -1;  // that its estimate has had; -1: not known
   Reader<topics::Px4VehicleOdometry> reader_;
   Writer<topics::Odometry> odometry_;
   Writer<topics::Transforms> transforms_;

@@ -5,7 +5,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <fstream>
 
+#include "services/common/px4_releases.hpp"
 #include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
 #include "services/convert/order_proof.hpp"
@@ -31,10 +33,19 @@ constexpr double kOrderSilence_s = 1.5;  // a lease is renewed once a second
 constexpr double kAlarm_s = 5.0;         // that it lasts after its cause
 
 // Two vehicles, or one in two domains, must not share their memory.
-std::filesystem::path memory_file_of(const ServiceOptions& options) {
+std::filesystem::path state_file_of(const ServiceOptions& options, std::string_view what) {
   if (options.state_folder.empty()) return {};
   return std::filesystem::path(options.state_folder) /
-         fmt::format("gate-{}-{}", options.domain_id, options.names.vehicle);
+         fmt::format("{}-{}-{}", what, options.domain_id, options.names.vehicle);
+}
+
+// As which release the flight controller spoke last: a gate that is started anew in flight has no
+// time to listen for it. Empty: not known.
+std::string remembered_release(const std::filesystem::path& file) {
+  std::string release;
+  std::ifstream(file) >> release;
+  const bool known = std::ranges::find(kPx4Releases, release) != std::end(kPx4Releases);
+  return known ? release : "";
 }
 
 // What the station's page shows before a take-off, and how far its sliders go.
@@ -44,6 +55,8 @@ void tell_operators(Health& health, SafetyParams params) {
         row.name == "battery_reserve" || row.name == "link_timeout_s")
       health.set_fact(std::string(row.name), text_of(row));
 }
+
+constexpr double kListen_s = 0.5;
 
 }  // namespace
 
@@ -236,19 +249,50 @@ void SafetyGateService::publish(const GateResult& result) {
   to_idl(report, report_.sample());
   report_.write();
   const bool silent = result.mode == SafetyMode::kSilent;
-  service_.health().set_degraded(!report.alarm.empty()                 ? report.alarm
-                                 : !autopilot_.other_release().empty() ? autopilot_.other_release()
-                                 : silent ? std::string(to_string(result.reason))
-                                          : "");
+  std::string trouble = report.alarm;
+  if (trouble.empty()) trouble = autopilot_.other_release();
+  if (trouble.empty()) trouble = autopilot_.time_fault();
+  if (trouble.empty() && silent) trouble = to_string(result.reason);
+  service_.health().set_degraded(trouble);
 }
 
-void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
+namespace {
+
+// Until the stop is requested, or until the flight controller speaks as another release, where
+// nobody said as which it would. Returns that one.
+std::string run_as_told(const ServiceOptions& options, bool told, const SafetyParams& params,
+                        Stop& stop) {
   Service service("safety_gate", options, stop);
   service.show("safety", params);
   std::optional<Px4Odometry> odometry;
   if (options.px4_odometry) odometry.emplace(service);
-  SafetyGateService stage(service, params, options.dry_run, memory_file_of(options));
+  SafetyGateService stage(service, params, options.dry_run, state_file_of(options, "gate"));
+  std::string better;
+  const auto listen = [&] {
+    better = stage.better_release();
+    if (!better.empty()) service.loop().leave();
+  };
+  if (!told) service.loop().every_wall(kListen_s, listen);
   service.run();
+  return better;
+}
+
+}  // namespace
+
+void run_safety_gate(const ServiceOptions& options, const SafetyParams& params, Stop& stop) {
+  ServiceOptions own = options;
+  const bool told = !options.names.px4_release.empty();
+  const auto file = state_file_of(options, "px4-release");
+  if (!told) own.names.px4_release = remembered_release(file);
+  while (!stop.requested()) {
+    const auto better = run_as_told(own, told, params, stop);
+    if (better.empty()) continue;
+    own.names.px4_release = better;
+    std::error_code error;  // where nothing can be kept, it is heard anew each time
+    std::filesystem::create_directories(file.parent_path(), error);
+    std::ofstream(file) << better;
+    spdlog::info("safety_gate: speaks with PX4 {} from now on", better);
+  }
 }
 
 }  // namespace foretrack

@@ -31,6 +31,9 @@ class SafetyGateService {
   SafetyGateService(Service& service, const SafetyParams& params, bool dry_run,
                     const std::filesystem::path& memory_file);
 
+  /// See AutopilotLink.
+  std::string_view better_release() const { return autopilot_.better_release(); }
+
  private:
   void remember_start(const std::filesystem::path& memory_file);
   void hear_order(const foretrack_msgs::msg::MissionCommand& message);

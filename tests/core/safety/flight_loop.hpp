@@ -66,7 +66,7 @@ struct FakeAutopilot {
   AutopilotStatus status{.stamp_s = 0.0, .armed = true, .mode = FlightMode::kHold};
   std::optional<CommandResult> answer = CommandResult::kAccepted;  // none: it does not answer
   bool deaf = false;                                               // and does not do it either
-  std::array<int, 8> asked{};                                      // how often, by request
+  std::array<int, 9> asked{};                                      // how often, by request
   std::optional<AutopilotAck> ack;                                 // for the gate's next tick
 
   void enter(FlightMode mode) {
@@ -81,8 +81,9 @@ struct FakeAutopilot {
     if (deaf || (answer && *answer != CommandResult::kAccepted)) return;
     if (request == AutopilotRequest::kHome) return;  // no mode
     constexpr FlightMode modes[] = {
-        FlightMode::kUnknown, FlightMode::kUnknown, FlightMode::kOffboard, FlightMode::kReturn,
-        FlightMode::kLand,    FlightMode::kTakeOff, FlightMode::kHold};
+        FlightMode::kUnknown, FlightMode::kUnknown, FlightMode::kOffboard,
+        FlightMode::kReturn,  FlightMode::kLand,    FlightMode::kTakeOff,
+        FlightMode::kHold,    FlightMode::kUnknown, FlightMode::kPilot};
     if (request == AutopilotRequest::kArm)
       status.armed = true;
     else

@@ -415,6 +415,19 @@ TEST(Takeover, TakeOffArmsOnceAndLeavesTheRestToTheFlightController) {
   EXPECT_EQ(loop.autopilot.total(), 2);
 }
 
+// After a flight PX4 stays in offboard mode, in which it does not arm without a heartbeat.
+TEST(Takeover, ATakeOffLeavesTheModeInWhichTheVehicleCannotArm) {
+  OnTheGround loop;
+  loop.autopilot.enter(FlightMode::kOffboard);
+  loop.order(MissionOrder::kTakeOff);
+  EXPECT_EQ(loop.autopilot.count(Request::kTakeOff), 1);
+  EXPECT_EQ(loop.autopilot.count(Request::kArm), 0);
+  loop.run(1.0);
+  EXPECT_EQ(loop.autopilot.count(Request::kArm), 1);
+  EXPECT_EQ(loop.autopilot.status.mode, FlightMode::kTakeOff);
+  EXPECT_EQ(loop.result.phase, MissionPhase::kTakingOff);
+}
+
 TEST(Takeover, ATakeOffThatIsNotArmedForOrDisarmsEnds) {
   OnTheGround denied;
   denied.autopilot.answer = CommandResult::kDenied;
@@ -424,8 +437,7 @@ TEST(Takeover, ATakeOffThatIsNotArmedForOrDisarmsEnds) {
   EXPECT_EQ(denied.autopilot.total(), 1);
   OnTheGround disarms;
   disarms.order(MissionOrder::kTakeOff);
-  disarms.tick();  // it is armed, and asked to take off
-  disarms.state.carrying.asked_other = false;
+  disarms.tick();  // it has been asked to take off, and to arm
   disarms.autopilot.status.armed = false;
   disarms.state.carrying.asking = {};
   EXPECT_EQ(disarms.tick().end, MissionEnd::kDisarmed);

@@ -101,6 +101,21 @@ TEST(WatchOdometry, DisagreementWithItsOwnVelocityBrakes) {
   EXPECT_LT(at_s, 1.0);
 }
 
+// A machine that is busy hands states on late, now more, now less.
+TEST(WatchOdometry, StatesThatWereLateOnTheWayDoNotDisagree) {
+  OdometryWatch watch;
+  VehicleState state;
+  state.velocity_enu_m_s = Vec3(2.5, 0.0, 0.0);
+  double at_s = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    state.stamp_s = 0.01 * i;
+    state.position_enu_m.x() = 2.5 * state.stamp_s;
+    at_s = std::max(at_s + 1e-4, state.stamp_s + (i / 40 % 2 ? 0.25 : 0.01));
+    take_odometry(watch, state, at_s, {at_s, at_s}, {});
+    EXPECT_EQ(watch_odometry(watch, Vec3::Zero(), 0.01, at_s, {}), OdometryFault::kNone) << i;
+  }
+}
+
 /// States that come each 10 ms, and what becomes of one among them.
 struct Stream {
   OdometryWatch watch;

@@ -8,19 +8,36 @@
 #include <regex>
 #include <sstream>
 
+#include "px4_msgs/msg/ArmingCheckReply.h"
 #include "px4_msgs/msg/BatteryStatus.h"
 #include "px4_msgs/msg/FailsafeFlags.h"
+#include "px4_msgs/msg/RegisterExtComponentReply.h"
 #include "px4_msgs/msg/VehicleStatus.h"
 #include "services/common/raw.hpp"
 
 namespace foretrack {
 namespace {
 
-constexpr const char* kMessages[] = {
-    "VehicleStatus",       "BatteryStatus",  "VehicleLocalPosition",  "FailsafeFlags",
-    "VehicleOdometry",     "VehicleCommand", "VehicleControlMode",    "VehicleCommandAck",
-    "OffboardControlMode", "TimesyncStatus", "ManualControlSetpoint", "TrajectorySetpoint",
-    "HomePosition"};
+constexpr const char* kMessages[] = {"VehicleStatus",
+                                     "BatteryStatus",
+                                     "VehicleLocalPosition",
+                                     "FailsafeFlags",
+                                     "VehicleOdometry",
+                                     "VehicleCommand",
+                                     "VehicleControlMode",
+                                     "VehicleCommandAck",
+                                     "OffboardControlMode",
+                                     "TimesyncStatus",
+                                     "ManualControlSetpoint",
+                                     "TrajectorySetpoint",
+                                     "HomePosition",
+                                     "RegisterExtComponentRequest",
+                                     "RegisterExtComponentReply",
+                                     "UnregisterExtComponent",
+                                     "ArmingCheckRequest",
+                                     "ArmingCheckReply",
+                                     "Event",
+                                     "ModeCompleted"};
 
 std::string wire_type(const std::string& message) {
   return "px4_msgs::msg::dds_::" + message + "_";
@@ -49,7 +66,7 @@ TEST(Px4Releases, TheIdlIsThatOfItsRelease) {
     text << file.rdbuf();
     const std::string idl = text.str();
     const std::string body = idl.substr(idl.find("struct " + std::string(message)));
-    const std::regex member("\\n  (\\w+) (\\w+)(\\[\\d+\\])?;");
+    const std::regex member("\\n  ([\\w:]+) (\\w+)(\\[\\d+\\])?;");
     std::vector<std::string> names;
     for (std::sregex_iterator it(body.begin(), body.end(), member), end; it != end; ++it)
       names.push_back((*it)[2]);
@@ -62,6 +79,10 @@ TEST(Px4Releases, TheIdlIsThatOfItsRelease) {
   EXPECT_EQ(bytes("FailsafeFlags"), FailsafeFlags::getCdrSerializedSize({}));
   EXPECT_EQ(bytes("VehicleStatus"), VehicleStatus::getCdrSerializedSize({}));
   EXPECT_EQ(bytes("BatteryStatus"), BatteryStatus::getCdrSerializedSize({}));
+  EXPECT_EQ(bytes("Event"), 40u);
+  EXPECT_EQ(bytes("ArmingCheckReply"), ArmingCheckReply::getCdrSerializedSize({}));
+  EXPECT_EQ(bytes("RegisterExtComponentReply"),
+            RegisterExtComponentReply::getCdrSerializedSize({}));
 }
 
 TEST(Px4Releases, VersionsAreThoseOfTheReleases) {
@@ -74,6 +95,11 @@ TEST(Px4Releases, VersionsAreThoseOfTheReleases) {
   EXPECT_EQ(px4_version("vehicle_local_position", "1.17"), 1);
   EXPECT_EQ(px4_version("vehicle_command_ack", "1.18"), 1);
   EXPECT_EQ(px4_version("trajectory_setpoint", "1.18"), 0);
+  EXPECT_EQ(px4_version("register_ext_component_request", "1.17"), 0);
+  EXPECT_EQ(px4_version("register_ext_component_request", "1.18"), 2);
+  EXPECT_EQ(px4_version("register_ext_component_reply", "1.18"), 1);
+  EXPECT_EQ(px4_version("arming_check_reply", "1.16"), 0);
+  EXPECT_EQ(px4_version("arming_check_request", "1.17"), 1);
 }
 
 TEST(Px4Releases, ARearrangedMessageHasItsValuesWhereTheReleaseHasThem) {

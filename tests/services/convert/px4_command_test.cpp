@@ -15,7 +15,7 @@ TEST(VehicleCommand, EachThatWeSendRoundTrips) {
                                             {.kind = CommandKind::kDisarm},
                                             {.kind = CommandKind::kDisarm, .forced = true}};
   for (const auto mode : {FlightMode::kOffboard, FlightMode::kHold, FlightMode::kTakeOff,
-                          FlightMode::kReturn, FlightMode::kLand})
+                          FlightMode::kReturn, FlightMode::kLand, FlightMode::kPilot})
     commands.push_back({.mode = mode, .target_system = 2});
   for (const auto& command : commands) {
     msg::VehicleCommand m;

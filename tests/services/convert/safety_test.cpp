@@ -97,7 +97,7 @@ TEST(SafetyStateMessage, RefusesEachBadField) {
               {"mode", [](M& m) { m.mode(5); }},
               {"reason", [](M& m) { m.reason(20); }},
               {"phase", [](M& m) { m.phase(8); }},
-              {"request", [](M& m) { m.request(8); }},
+              {"request", [](M& m) { m.request(9); }},
               {"command_result", [](M& m) { m.command_result(15); }},
               {"plan_age_s", [](M& m) { m.plan_age_s(kNaN); }},
               {"deviation_m", [](M& m) { m.deviation_m(kInf); }},

@@ -3,6 +3,10 @@
 // does (the simulator's).
 #include "services/onboard/safety_gate/safety_gate_service.hpp"
 
+#include <fmt/format.h>
+
+#include <fstream>
+
 #include "core/simulator/autopilot.hpp"
 #include "services/convert/bodies.hpp"
 #include "services/convert/map.hpp"
@@ -30,13 +34,15 @@ class SafetyGateOnDds : public ::testing::Test {
     start_gate();
   }
 
-  void start_gate(bool dry_run = false, const std::string& state = "") {
+  void start_gate(bool dry_run = false, const std::string& state = "",
+                  const std::string& release = "") {
     gate_.reset();
     report_reader_.take_each([](const auto&) {});  // the last words of the one before
     const std::string folder = state.empty() ? folder_.path.string() : state;
     gate_.emplace([=](ServiceOptions options, Stop& stop) {
       options.state_folder = folder;
       options.dry_run = dry_run;
+      options.names.px4_release = release;
       run_safety_gate(options, SafetyParams{}, stop);
     });
     report_ = {};
@@ -644,7 +650,8 @@ TEST(Px4OdometryOnDds, FliesOnPx4sOwnEstimate) {
   EXPECT_TRUE(heard && heard->position_enu_m.isApprox(vehicle.position_enu_m, 1e-6));
 }
 
-TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherRelease) {
+TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherReleaseThanItWasTold) {
+  start_gate(false, "", "1.16");
   NodeOptions options = node_options("px4");
   options.names.px4_release = "1.18";
   Node px4(options);
@@ -656,6 +663,42 @@ TEST_F(SafetyGateOnDds, SaysThatTheFlightControllerSpeaksAsAnotherRelease) {
     health.take_each([&](const auto& message) { said = message.last_error().c_str(); });
     return said.find("speaks as PX4 1.18 does, 1.16 is expected") != std::string::npos;
   })) << said;
+}
+
+TEST(ReleaseOnDds, AGateThatWasNotToldHearsThatOfTheFlightController) {
+  Folder folder;
+  Neighbours neighbours;
+  NodeOptions options = node_options("px4");
+  options.names.px4_release = "1.18";
+  Node px4(options);
+  Writer<topics::Px4VehicleStatus> status(px4);
+  const Writer<topics::Px4BatteryStatus> battery(px4);
+  Reader<topics::SafetyState> report(neighbours.node());
+  const auto run = [&](ServiceOptions own, Stop& stop) {
+    own.state_folder = folder.path.string();
+    run_safety_gate(own, SafetyParams{}, stop);
+  };
+  bool armed = false;
+  const auto hears = [&] {
+    return neighbours.until(
+        [&] {
+          report.take_each([&](const auto& state) { armed = state.armed(); });
+          return armed;
+        },
+        [&] {
+          to_idl(AutopilotStatus{.stamp_s = neighbours.now_s(), .armed = true}, status.sample());
+          status.write();
+        });
+  };
+  std::optional<Running> gate(run);
+  ASSERT_TRUE(hears());
+  std::string remembered;
+  std::ifstream(folder.path / fmt::format("px4-release-{}-uav1", domain_id())) >> remembered;
+  EXPECT_EQ(remembered, "1.18") << "which the next one begins with";
+  gate.reset();
+  gate.emplace(run);
+  armed = false;
+  EXPECT_TRUE(hears());
 }
 
 }  // namespace
