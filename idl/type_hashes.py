@@ -15,9 +15,10 @@ IDL = Path(__file__).resolve().parent
 sys.path.insert(0, str(IDL.parent / "deploy" / "ros2"))
 from messages import FIELD, STRUCT  # noqa: E402
 
-# type_description_interfaces/msg/FieldType; arrays and sequences are these plus a number.
-KINDS = {"nested": 1, "int8": 2, "uint8": 3, "int16": 4, "uint16": 5, "int32": 6, "uint32": 7,
-         "int64": 8, "uint64": 9, "float": 10, "double": 11, "boolean": 15, "octet": 16,
+# type_description_interfaces/msg/FieldType, where a message's char is an uint8; arrays and sequences
+# are these plus a number.
+KINDS = {"nested": 1, "int8": 2, "uint8": 3, "char": 3, "int16": 4, "uint16": 5, "int32": 6,
+         "uint32": 7, "int64": 8, "uint64": 9, "float": 10, "double": 11, "boolean": 15, "octet": 16,
          "string": 17, "bounded string": 21}
 ARRAY, BOUNDED_SEQUENCE, SEQUENCE = 48, 96, 144
 MODULE = re.compile(r"module (\w+) \{$")
