@@ -43,6 +43,7 @@ bool may_ask(const ModeRegistration& registration, double now_s) {
 }  // namespace
 
 bool register_mode(ModeRegistration& registration, const RegistrationInput& in) {
+  if (in.now_s < registration.since_s) enter(registration, State::kLost, in.now_s);
   take_answer(registration, in);
   give_up(registration, in);
   if (!in.heard || in.armed || !may_ask(registration, in.now_s)) return false;

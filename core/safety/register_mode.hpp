@@ -53,7 +53,7 @@ inline constexpr double kAnswer_s = 5.0;
 inline constexpr double kRefusedFor_s = 10.0;  // before it is asked again
 inline constexpr double kShown_s = 2.0;        // in which its status shows what it registered
 
-/// One tick. True: it is to be asked now.
+/// One tick. True: it is to be asked now. Where time falls, a simulation was started anew.
 bool register_mode(ModeRegistration& registration, const RegistrationInput& input);
 
 }  // namespace foretrack

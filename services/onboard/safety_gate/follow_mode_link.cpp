@@ -83,7 +83,7 @@ void FollowModeLink::update(const GateResult& result, const AutopilotStatus& sta
   const State before = registration_.state;
   const double now_s = service_.clock().steady_s();
   const bool hears_us = heard && request_.readers() > 0 && reply_reader_.writers() > 0;
-  if (!hears_us || matched_s_ < 0.0) matched_s_ = now_s;
+  if (!hears_us || matched_s_ < 0.0 || now_s < matched_s_) matched_s_ = now_s;
   const RegistrationInput input{now_s, now_s - matched_s_ > kMatch_s, status.armed, selectable_,
                                 std::exchange(answer_, {})};
   if (register_mode(registration_, input)) ask(stamp_s);

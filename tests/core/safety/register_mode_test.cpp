@@ -89,5 +89,15 @@ TEST(RegisterMode, AFlightControllerThatWasRestartedIsAskedAnew) {
   EXPECT_EQ(asker.asked, 2);
 }
 
+TEST(RegisterMode, InASimulationThatBeganAnewItIsAskedAnew) {
+  Asker asker;
+  asker.in.now_s = 400.0;
+  asker.run(0.5);
+  asker.answer(true);
+  asker.in.now_s = 2.0;
+  asker.run(0.5);
+  EXPECT_EQ(asker.asked, 2);
+}
+
 }  // namespace
 }  // namespace foretrack
