@@ -6,14 +6,15 @@
 
 #include <algorithm>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <map>
 #include <mutex>
-#include <set>
 #include <stdexcept>
 
 #include "services/common/cdr_type.hpp"
 #include "services/common/dds_impl.hpp"
 #include "services/common/dds_log.hpp"
 #include "services/common/raw_type.hpp"
+#include "services/common/time_now.hpp"
 #include "services/common/type_hash.hpp"
 
 namespace foretrack {
@@ -23,19 +24,22 @@ namespace rtps = eprosima::fastrtps::rtps;
 using rtps::GUID_t;
 
 constexpr std::size_t kHeaderBytes = 4;
+// Cyclone DDS skips what a writer wrote before the first heartbeat that it hears of it. Fast DDS
+// sends one to a new reader after 12 ms.
+constexpr double kSettled_s = 0.1;
 
 // Every endpoint has a listener: without one, 2.9.1 crashes on some events.
 struct QuietReader : dds::DataReaderListener {};
 struct QuietWriter : dds::DataWriterListener {
   std::atomic<int> readers = 0;
   mutable std::mutex mutex;
-  std::set<GUID_t> matched;
+  std::map<GUID_t, double> matched;  // since when, by the steady clock
   void on_publication_matched(dds::DataWriter*, const dds::PublicationMatchedStatus& s) override {
     readers = s.current_count;
     const auto reader = rtps::iHandle2GUID(s.last_subscription_handle);
     const std::lock_guard lock(mutex);
     if (s.current_count_change > 0)
-      matched.insert(reader);
+      matched[reader] = steady_s();
     else
       matched.erase(reader);
   }
@@ -185,11 +189,12 @@ bool RawWriter::reply(const CdrBytes& sample, const RequestId& to) {
 
 bool RawWriter::reaches(const RequestId& asker) const {
   const GUID_t writer = guid_of(asker.writer), reader = guid_of(asker.reader);
+  const bool names_reader = asker.reader != RequestId().reader;
   const std::lock_guard lock(dds_->listener.mutex);
-  const auto& matched = dds_->listener.matched;
-  if (asker.reader != RequestId().reader) return matched.contains(reader);
-  return std::any_of(matched.begin(), matched.end(),
-                     [&](const GUID_t& one) { return one.guidPrefix == writer.guidPrefix; });
+  for (const auto& [one, since_s] : dds_->listener.matched)
+    if (names_reader ? one == reader : one.guidPrefix == writer.guidPrefix)
+      return steady_s() - since_s > kSettled_s;
+  return false;
 }
 
 void RawWriter::show_to_ros() {

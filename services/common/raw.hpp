@@ -67,7 +67,8 @@ class RawWriter {
   bool write(const CdrBytes& sample);
   int readers() const;
   bool reply(const CdrBytes& sample, const RequestId& to);
-  /// Whether the one who asked, or another reader of its participant, is matched.
+  /// Whether the one who asked, or another reader of its participant, is matched, and has been for
+  /// long enough to hear what is written now.
   bool reaches(const RequestId& asker) const;
   void show_to_ros();
 

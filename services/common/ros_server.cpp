@@ -6,7 +6,7 @@
 namespace foretrack {
 namespace {
 
-constexpr double kPatience_s = 1.0;
+constexpr double kPatience_s = 10.0;  // discovery of a client may take seconds on a busy machine
 constexpr std::size_t kMostWaiting = 32;
 constexpr std::size_t kHeaderBytes = 4;     // of CDR
 constexpr std::size_t kIdentityBytes = 16;  // of rmw_cyclonedds: who asks, and its number

@@ -19,7 +19,7 @@ struct RosServiceInfo {
   std::string type;  // "rcl_interfaces::srv::dds_::ListParameters": what _Request_ follows
 };
 
-/// For the node's thread. A reply waits for the client's reader to be there, for a second.
+/// For the node's thread. A reply waits for the client's reader to be there, for ten seconds.
 class RosServer {
  public:
   /// Of a request, without what says whose it is. Empty: it cannot be read, and gets no reply.
