@@ -24,8 +24,9 @@ namespace rtps = eprosima::fastrtps::rtps;
 using rtps::GUID_t;
 
 constexpr std::size_t kHeaderBytes = 4;
-// Cyclone DDS skips what a writer wrote before the first heartbeat that it hears of it. Fast DDS
-// sends one to a new reader after 12 ms.
+// Cyclone DDS skips what a writer wrote before the first heartbeat that it hears of it, and Fast
+// DDS sends none while there is nothing to repeat. So a new reader gets nobody's reply first.
+constexpr std::size_t kNobodysBytes = 4 + 16 + 64;
 constexpr double kSettled_s = 0.1;
 
 // Every endpoint has a listener: without one, 2.9.1 crashes on some events.
@@ -33,13 +34,13 @@ struct QuietReader : dds::DataReaderListener {};
 struct QuietWriter : dds::DataWriterListener {
   std::atomic<int> readers = 0;
   mutable std::mutex mutex;
-  std::map<GUID_t, double> matched;  // since when, by the steady clock
+  std::map<GUID_t, double> matched;  // when it was first written to; negative: not yet
   void on_publication_matched(dds::DataWriter*, const dds::PublicationMatchedStatus& s) override {
     readers = s.current_count;
     const auto reader = rtps::iHandle2GUID(s.last_subscription_handle);
     const std::lock_guard lock(mutex);
     if (s.current_count_change > 0)
-      matched[reader] = steady_s();
+      matched[reader] = -1.0;
     else
       matched.erase(reader);
   }
@@ -190,11 +191,24 @@ bool RawWriter::reply(const CdrBytes& sample, const RequestId& to) {
 bool RawWriter::reaches(const RequestId& asker) const {
   const GUID_t writer = guid_of(asker.writer), reader = guid_of(asker.reader);
   const bool names_reader = asker.reader != RequestId().reader;
-  const std::lock_guard lock(dds_->listener.mutex);
-  for (const auto& [one, since_s] : dds_->listener.matched)
-    if (names_reader ? one == reader : one.guidPrefix == writer.guidPrefix)
-      return steady_s() - since_s > kSettled_s;
-  return false;
+  bool settled = false, first = false;
+  {
+    const std::lock_guard lock(dds_->listener.mutex);
+    for (auto& [one, heard_s] : dds_->listener.matched) {
+      if (names_reader ? one != reader : one.guidPrefix != writer.guidPrefix) continue;
+      first = heard_s < 0.0;
+      if (first) heard_s = steady_s();
+      settled = steady_s() - heard_s > kSettled_s;
+      break;
+    }
+  }
+  if (names_reader) return first || settled;
+  if (first) {  // without the lock: DDS has locks of its own
+    CdrBytes nobodys(kNobodysBytes);
+    nobodys[1] = 1;  // little-endian
+    dds_->writer->write(&nobodys);
+  }
+  return settled;
 }
 
 void RawWriter::show_to_ros() {

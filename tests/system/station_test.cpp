@@ -172,7 +172,7 @@ TEST_F(StationOnAFlight, WhatItRecordsReadsBackWithTheOfficialLibrary) {
   EXPECT_TRUE(report["metadata"]["foretrack"].contains("version"));
   EXPECT_TRUE(report["metadata"]["parameters"].contains("yaml"));
   EXPECT_EQ(report["topics"]["/uav1/odometry"]["schemaEncoding"], "ros2msg");
-  EXPECT_EQ(report["topics"]["/uav1/target/state"]["schemaEncoding"], "omgidl");
+  EXPECT_EQ(report["topics"]["/uav1/target/state"]["schemaEncoding"], "ros2msg");
   EXPECT_EQ(report["topics"]["/tf_static"]["samples"], 1);
   EXPECT_GT(report["topics"]["/uav1/odometry"]["samples"], 200);
 
