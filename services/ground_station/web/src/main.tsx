@@ -23,6 +23,7 @@ setInterval(() => session.changed(), 250);
 const root = document.getElementById("page")!;
 void loadLanguage().then(() => {
   root.textContent = "";
+  session.frame(); // what came meanwhile
   render(<Page session={session} />, root);
 });
 requestAnimationFrame(frame);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the vehicle sees: as large as wanted, with everybody in it, who can be tapped to be followed.
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import { saveClip } from "../ui/clip.ts";
 import { download } from "../ui/download.ts";
@@ -66,7 +66,7 @@ export function PicturePanel({ session, layout, swap, hide }: Props) {
   const screen = useRef<PictureScreen | null>(null);
   const [tapped, setTapped] = useState<Tapped | null>(null);
   const [full, toggleFull] = useFull(section);
-  useEffect(() => {
+  useLayoutEffect(() => { // at once: the first picture may be there
     screen.current = new PictureScreen(session, host.current!);
     session.watching = true;
     return () => {

@@ -49,7 +49,7 @@ export class Session {
   drawsSlowly = false; // the scene takes much of the machine
   message = { text: "", bad: false }; // the answer to the last order, for some seconds
   private sorted: { of: unknown; list: Vehicle[] } = { of: null, list: [] };
-  private fed_ms = 0;
+  private fed_ms = performance.now();
   private readonly live = makeStage();
   private replayed: Stage = makeStage();
   private readonly listeners = new Set<() => void>();
