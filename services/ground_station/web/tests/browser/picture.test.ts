@@ -62,7 +62,7 @@ test("nothing is read while nobody looks, and it goes on when somebody does", as
 test("a picture that grows old is marked, and says how old it is", async () => {
   await page.waitForSelector(`${frame}[data-pictures]`);
   station.blind.add("uav1");
-  await expectText(page, '[data-field="picture-age"]', /▲ \d+\.\d s old/);
+  await expectText(page, '[data-field="picture-age"]', /▲ ([2-9]|\d\d)\.\d s old/);
   assert.equal(await page.locator(".camview.old").count(), 1);
   station.blind.clear();
   await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
