@@ -5,9 +5,13 @@ namespace foretrack {
 
 ParamRows rows(ChoiceParams& p) {
   return {
-      {"start", &p.start, "", 0, 2,
+      {"start", &p.start, "", 0, 3,
        "who is followed first where several are seen: 0 whom the detector is most certain of, 1 "
-       "the nearest, 2 who is in the middle of the image"},
+       "the nearest, 2 who is in the middle of the image; 3 nobody but who wears the colour below"},
+      {"start_red", &p.start_red, "", 0, 255,
+       "of the upper body's clothes in the image, with start 3: red"},
+      {"start_green", &p.start_green, "", 0, 255, "the same: green"},
+      {"start_blue", &p.start_blue, "", 0, 255, "the same: blue"},
       {"wait_s", &p.wait_s, "s", 0.0, 600.0,
        "who is asked which of two it is has so long to answer"},
       {"unanswered", &p.unanswered, "", 0, 1, "then: 0 on with the likeliest, 1 hold"},

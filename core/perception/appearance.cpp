@@ -18,6 +18,12 @@ constexpr double kEnds = 0.15;                                // of a limb, left
 constexpr double kSeen = 0.5;                                 // visibility of a joint
 enum LegJoint : int { kLeftKnee = 25, kRightKnee = 26, kLeftAnkle = 27, kRightAnkle = 28 };
 
+Vec3 numbers_of(const Vec3& rgb) {
+  const Vec3 color = rgb.array() + kDark;
+  return {std::log(color.x() / color.y()), std::log(color.z() / color.y()),
+          kBrightness * std::log(color.mean())};
+}
+
 /// The mean of an image's pixels at some places.
 struct ColorMean {
   Vec3 sum = Vec3::Zero();
@@ -30,11 +36,7 @@ struct ColorMean {
     sum += Vec3(rgb[0], rgb[1], rgb[2]);
     ++count;
   }
-  Vec3 numbers() const {
-    const Vec3 mean = (sum / count).array() + kDark;
-    return {std::log(mean.x() / mean.y()), std::log(mean.z() / mean.y()),
-            kBrightness * std::log(mean.mean())};
-  }
+  Vec3 numbers() const { return numbers_of(sum / count); }
 };
 
 // Along the middle of both limbs between these joints, without their ends.
@@ -74,6 +76,11 @@ std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose&
   seen.colors << halves[0].numbers(), halves[1].numbers();
   look_at_legs(image, person, seen);
   return seen;
+}
+
+double difference_from_color(const Appearance& seen, const Vec3& rgb) {
+  const Vec3 torso = 0.5 * (seen.colors.head<3>() + seen.colors.tail<3>());
+  return (torso - numbers_of(rgb)).norm();
 }
 
 }  // namespace foretrack

@@ -14,4 +14,9 @@ namespace foretrack {
 /// a quarter of a half's samples is inside the image. Cost: 2 µs.
 std::optional<Appearance> appearance_of(const RgbImage& image, const PersonPose& person);
 
+/// How much the torso's colour differs from a described one (red, green, blue, 0 to 255): mostly by
+/// its tint, which the brightness of the light does not change. 0 for the same, about 1 for red and
+/// grey.
+double difference_from_color(const Appearance& seen, const Vec3& rgb);
+
 }  // namespace foretrack

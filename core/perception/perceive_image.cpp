@@ -16,6 +16,7 @@ constexpr double kSurprising = 3.5;       // standard deviations in one image: i
 constexpr std::size_t kMostTried = 2;     // of the people whom the detector saw
 constexpr std::size_t kMostCompared = 4;  // the same, where nobody knows where the person is
 constexpr double kSurely = 0.2;     // where nobody knows where the person is, it is surely them
+constexpr double kDescribed = 0.5;  // clothes that differ more are not of the described colour
 constexpr double kTellApart = 0.2;  // by so much another one's clothes must differ more
 
 // Where the chosen person may be; none: anybody may be chosen.
@@ -79,6 +80,7 @@ Judgement judge(const PoseState& state, const RgbImage& image, const PersonPose&
 void begin_anew(PoseState& state) {
   PoseState fresh;
   fresh.first = state.first;
+  fresh.first_rgb = state.first_rgb;
   fresh.follows = state.follows;
   state = std::move(fresh);
 }
@@ -143,6 +145,27 @@ const Candidate* choose_candidate(const std::vector<Candidate>& candidates, bool
   return alike ? nullptr : best;
 }
 
+// Whose torso is nearest to the described colour.
+const Candidate* described(const std::vector<Candidate>& candidates, const Vec3& rgb) {
+  const Candidate* best = nullptr;
+  double least = kDescribed;
+  for (const Candidate& c : candidates) {
+    if (!c.pose || !c.judgement.seen) continue;
+    const double differs = difference_from_color(*c.judgement.seen, rgb);
+    if (differs < least) least = differs, best = &c;
+  }
+  return best;
+}
+
+// Nobody was chosen yet, or it is who was.
+const Candidate* choose_candidate(const PoseState& state, const std::vector<Candidate>& candidates,
+                                  bool anywhere) {
+  if (!state.follows) return nullptr;
+  const bool first = anywhere && !state.chosen.wears;
+  if (first && state.first == FirstChoice::kColor) return described(candidates, state.first_rgb);
+  return choose_candidate(candidates, anywhere && state.chosen.wears);
+}
+
 std::vector<Candidate> look_at_people(const PoseState& state, const RgbImage& image, double stamp_s,
                                       PoseNetwork& network, const PerceptionParams& params,
                                       const std::vector<Detection>& people, std::size_t most) {
@@ -174,8 +197,7 @@ void search(PoseState& state, const RgbImage& image, double stamp_s, PoseNetwork
     result.ambiguous = result.ambiguous || c.judgement.doubtful || !c.judgement.theirs;
     result.difference = c.judgement.difference;
   }
-  const bool by_clothes = !place && state.chosen.wears;
-  const Candidate* best = state.follows ? choose_candidate(candidates, by_clothes) : nullptr;
+  const Candidate* best = choose_candidate(state, candidates, !place);
   if (!place)
     for (const Candidate& c : candidates)
       if (&c != best) state.passed_over.push_back({c.region, c.pose, c.judgement.seen});

@@ -33,6 +33,7 @@ enum class FirstChoice : std::uint8_t {
   kCertain,  ///< of whom the detector is most certain
   kNearest,  ///< who is tallest in the image
   kMiddle,   ///< who is nearest to the image's middle
+  kColor,    ///< whose torso is of a described colour; nobody, as long as nobody's is
 };
 
 /// Somebody else in one image.
@@ -57,6 +58,7 @@ struct PoseResult {
 /// What is kept from image to image. A plain value; the caller owns it.
 struct PoseState {
   FirstChoice first = FirstChoice::kCertain;  ///< for the caller to set
+  Vec3 first_rgb = Vec3::Zero();              ///< for kColor, 0 to 255
   bool follows = true;      ///< false: nobody is to be followed; everybody is looked at
   PersonMemory chosen;      ///< the person who is followed
   PersonMemory other;       ///< the nearest person besides; watch_others() keeps it

@@ -90,4 +90,9 @@ ChoiceResult choose_person(const PeopleTracks& people, const ChoiceInput& input,
   return result;
 }
 
+void begin_with(PoseState& state, const ChoiceParams& params) {
+  state.first = static_cast<FirstChoice>(params.start);
+  state.first_rgb = Vec3(params.start_red, params.start_green, params.start_blue);
+}
+
 }  // namespace foretrack

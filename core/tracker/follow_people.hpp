@@ -7,6 +7,7 @@
 #include "core/bodies/follow_body.hpp"
 #include "core/choice/choose.hpp"
 #include "core/perception/perceive.hpp"
+#include "core/perception/perceive_image.hpp"
 
 namespace foretrack {
 
@@ -39,5 +40,8 @@ bool take_sightings(const PeopleTracks& people, const BodySightings& seen,
 /// one, or ends. Numbers are as follow_body() says.
 ChoiceResult choose_person(const PeopleTracks& people, const ChoiceInput& input,
                            const PeopleParams& params);
+
+/// Whom images shall begin with, as the parameters say.
+void begin_with(PoseState& state, const ChoiceParams& params);
 
 }  // namespace foretrack

@@ -11,15 +11,17 @@
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sight_people.hpp"
 #include "core/simulator/simulate.hpp"
+#include "core/tracker/follow_people.hpp"
 
 namespace foretrack {
 
 class CameraEye {
  public:
   /// delay_s: from an image to what is seen in it.
-  CameraEye(PoseNetwork network, const PerceptionParams& params, FirstChoice first, double delay_s)
+  CameraEye(PoseNetwork network, const PerceptionParams& params, const ChoiceParams& choice,
+            double delay_s)
       : network_(std::move(network)), params_(params), delay_s_(delay_s) {
-    state_.first = first;
+    begin_with(state_, choice);
   }
 
   struct Seen {

@@ -59,7 +59,7 @@ TrackerPilot::TrackerPilot(const Scenario& scenario, const TrackerParams& params
   if (scenario.color_images)
     eye_.emplace(load_pose_network(find_share("models"),
                                    static_cast<PoseModel>(params.perception.model_complexity)),
-                 params.perception, static_cast<FirstChoice>(params.choice.start),
+                 params.perception, params.choice,
                  scenario.landmark_camera.delay_s);
 }
 

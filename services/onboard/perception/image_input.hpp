@@ -8,6 +8,7 @@
 #include "core/perception/perceive.hpp"
 #include "core/perception/perceive_image.hpp"
 #include "core/perception/sight_people.hpp"
+#include "core/tracker/follow_people.hpp"
 #include "sensor_msgs/msg/CameraInfo.h"
 #include "sensor_msgs/msg/CompressedImage.h"
 #include "sensor_msgs/msg/Image.h"
@@ -54,7 +55,7 @@ class ImageInput {
   void follow(const std::optional<Appearance>& wears) { follow_other(pose_, wears); }
   void follow_nobody() { pose_.follows = false; }
   /// Who is followed first where several are seen.
-  void start_with(FirstChoice first) { pose_.first = first; }
+  void start_with(const ChoiceParams& params) { begin_with(pose_, params); }
   /// The last image that was looked at, and its stamp; null: there was none.
   const RgbImage* image() const { return image_s_ < 0.0 ? nullptr : &rgb_; }
   double image_s() const { return image_s_; }

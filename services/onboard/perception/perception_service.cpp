@@ -55,7 +55,7 @@ PerceptionService::PerceptionService(Service& service, const PerceptionParams& p
       images_(
           service, params, stream, state_, vehicle_, [this](const auto& seen) { take_seen(seen); },
           [this](const PeopleSeen& people) { take_sightings(people.sightings, people.looks); }) {
-  images_.start_with(static_cast<FirstChoice>(choice_params.start));
+  images_.start_with(choice_params);
   service.loop().on_each(gate_reader_, [this](const auto& message) {
     const auto gate = from_idl(message);
     gate ? hear_gate(*gate) : gate_reader_.refuse(gate.fault());

@@ -161,6 +161,25 @@ TEST_F(PerceiveImage, TheFirstOneIsChosenAsTheCallerSays) {
   }
 }
 
+TEST_F(PerceiveImage, WhoWearsTheDescribedColorIsChosenAndNobodyElse) {
+  fake_.see({0.3, 0.5}, 0.2, 9.0);  // in grey, and the more certain one
+  fake_.see({0.7, 0.5}, 0.2, 2.0);
+  state_.first = FirstChoice::kColor;
+  state_.first_rgb = {220.0, 40.0, 40.0};
+  EXPECT_FALSE(look(0.0).found());
+  EXPECT_EQ(state_.passed_over.size(), 2u);
+  const int middle_px = image_.width_px / 2;
+  for (int y = 0; y < image_.height_px; ++y)
+    for (int x = middle_px; x < image_.width_px; ++x) {
+      auto* rgb = &image_.rgb[3 * static_cast<std::size_t>(y * image_.width_px + x)];
+      rgb[0] = 160, rgb[1] = rgb[2] = 30;  // the same red in less light
+    }
+  state_.looks = 0;  // the whole image again
+  const auto result = look(1.0);
+  ASSERT_TRUE(result.found());
+  EXPECT_NEAR(result.person.region.centre_px.x(), 0.7 * image_.width_px, 1.0);
+}
+
 TEST_F(PerceiveImage, NobodyIsFollowedAndEverybodyIsLookedAt) {
   fake_.see({0.3, 0.5}, 0.2, 3.0);
   ASSERT_TRUE(look(0.0).found());
