@@ -11,10 +11,11 @@ namespace foretrack {
 /// `foretrack params choice`.
 struct ChoiceParams {
   /// who is followed first where several are seen: 0 whom the detector is most certain of, 1 the
-  /// nearest, 2 who is in the middle of the image, 3 who wears the colour that follows
+  /// nearest, 2 who is in the middle of the image; 3 nobody but who wears the colour below
   int start = 0;
-  /// of the clothes of the upper body, as a camera shows it, 0 to 255
-  int start_red = 128, start_green = 128, start_blue = 128;
+  int start_red = 128;    ///< of the upper body's clothes in the image, with start 3: red
+  int start_green = 128;  ///< the same: green
+  int start_blue = 128;   ///< the same: blue
   double wait_s = 15.0;  ///< who is asked which of two it is has so long to answer
   int unanswered = 0;    ///< then: 0 on with the likeliest, 1 hold
   double alike = 0.3;    ///< clothes that differ more are somebody else's
