@@ -16,9 +16,9 @@ struct ChoiceParams {
   int start_red = 128;    ///< of the upper body's clothes in the image, with start 3: red
   int start_green = 128;  ///< the same: green
   int start_blue = 128;   ///< the same: blue
-  double wait_s = 15.0;  ///< who is asked which of two it is has so long to answer
-  int unanswered = 0;    ///< then: 0 on with the likeliest, 1 hold
-  double alike = 0.3;    ///< clothes that differ more are somebody else's
+  double wait_s = 15.0;   ///< who is asked which of two it is has so long to answer
+  int unanswered = 0;     ///< then: 0 on with the likeliest, 1 hold
+  double alike = 0.3;     ///< clothes that differ more are somebody else's
   /// of two people, clothes whose differences from what is remembered are nearer are alike
   double tell_apart = 0.2;
   double meet_m = 1.0;  ///< people this near, or in line as seen from the vehicle, may be mixed up
