@@ -33,12 +33,9 @@ Json json_of(const foretrack_msgs::msg::PlannedTrajectory& p) {
 }
 
 Json json_of(const foretrack_msgs::msg::SafetyState& s) {
-  return {{"mode", mode_word(s.mode())},
-          {"reason", explain_gate(s.reason())},
-          {"armed", s.armed()},
-          {"offboard", s.offboard()},
-          {"heartbeat", s.heartbeat()},
-          {"deviation_m", s.deviation_m()},
+  return {{"mode", mode_word(s.mode())}, {"reason", explain_gate(s.reason())},
+          {"armed", s.armed()},          {"offboard", s.offboard()},
+          {"heartbeat", s.heartbeat()},  {"deviation_m", s.deviation_m()},
           {"text", s.text().c_str()}};
 }
 

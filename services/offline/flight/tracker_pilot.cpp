@@ -59,8 +59,7 @@ TrackerPilot::TrackerPilot(const Scenario& scenario, const TrackerParams& params
   if (scenario.color_images)
     eye_.emplace(load_pose_network(find_share("models"),
                                    static_cast<PoseModel>(params.perception.model_complexity)),
-                 params.perception, params.choice,
-                 scenario.landmark_camera.delay_s);
+                 params.perception, params.choice, scenario.landmark_camera.delay_s);
 }
 
 TrackerOutput TrackerPilot::fly(PilotStep s, const FleetLink* fleet, const MissionCommand* order) {
