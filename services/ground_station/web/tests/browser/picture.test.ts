@@ -133,7 +133,8 @@ test("a fence is drawn on the map, checked, and sent", async () => {
   const corners = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]] as const;
   for (const [i, [x, y]] of corners.entries()) {
     await page.locator(".fencemap").click({ position: { x: x * map.width, y: y * map.height } });
-    await page.waitForTimeout(300);
+    await page.locator(".fencemap .corner").nth(i).waitFor();
+    await page.waitForTimeout(300); // else it is a double click
     if (i === 0) await expectText(page, ".bounds .why", /three corners at least/);
   }
   await page.locator(".bounds input").nth(1).fill("6");
@@ -142,6 +143,7 @@ test("a fence is drawn on the map, checked, and sent", async () => {
   const later = await open(browser, station.url, { name: "bob" });
   await later.getByRole("tab", { name: "Fly" }).click();
   await expectText(later, ".bounds h2", /as it is set/);
+  await later.locator(".fencemap .corner").nth(3).waitFor();
   assert.equal(await later.locator(".fencemap .corner").count(), 4);
   assert.equal(await later.locator(".bounds input").nth(1).inputValue(), "6");
   await later.context().close();
