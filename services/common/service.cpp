@@ -8,32 +8,31 @@ namespace {
 
 constexpr double kHealthPeriod_s = 1.0;
 
+Parameters::Parameter yes_or_no(const char* name, const char* description,
+                                const std::function<bool()>& get) {
+  using namespace rcl_interfaces::msg::ParameterValue_Constants;
+  Parameters::Parameter parameter;
+  parameter.descriptor.name(name);
+  parameter.descriptor.type(PARAMETER_BOOL);
+  parameter.descriptor.description(description);
+  parameter.get = [get] {
+    Parameters::Value value;
+    value.type(PARAMETER_BOOL);
+    value.bool_value(get());
+    return value;
+  };
+  return parameter;
+}
+
 // What ROS 2's tools expect of every node, and the level of the log, which may change in flight.
 void add_own(Parameters& parameters, bool use_sim_time) {
-  using namespace rcl_interfaces::msg::ParameterValue_Constants;
-  Parameters::Parameter sim;
-  sim.descriptor.name("use_sim_time");
-  sim.descriptor.type(PARAMETER_BOOL);
-  sim.descriptor.description("the time comes from the clock topic");
+  auto sim = yes_or_no("use_sim_time", "the time comes from the clock topic",
+                       [use_sim_time] { return use_sim_time; });
   sim.descriptor.read_only(true);
   sim.descriptor.additional_constraints("an option of the service (--use-sim-time)");
-  sim.get = [use_sim_time] {
-    Parameters::Value value;
-    value.type(PARAMETER_BOOL);
-    value.bool_value(use_sim_time);
-    return value;
-  };
   parameters.add(std::move(sim));
-  Parameters::Parameter debug;
-  debug.descriptor.name("debug_log");
-  debug.descriptor.type(PARAMETER_BOOL);
-  debug.descriptor.description("log lines of the level debug are written, too");
-  debug.get = [] {
-    Parameters::Value value;
-    value.type(PARAMETER_BOOL);
-    value.bool_value(spdlog::default_logger()->level() <= spdlog::level::debug);
-    return value;
-  };
+  auto debug = yes_or_no("debug_log", "log lines of the level debug are written, too",
+                         [] { return spdlog::default_logger()->level() <= spdlog::level::debug; });
   debug.set = [](const Parameters::Value& value) {
     spdlog::default_logger()->set_level(value.bool_value() ? spdlog::level::debug
                                                            : spdlog::level::info);
