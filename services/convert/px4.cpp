@@ -6,6 +6,7 @@
 
 #include "core/common/frames.hpp"
 #include "services/convert/geometry.hpp"
+#include "services/convert/px4_time.hpp"
 
 namespace foretrack {
 namespace {
@@ -18,9 +19,6 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint8_t kAutopilotComponent = 1;
 constexpr double kMaxStamp_s = 1e10;
 
-std::uint64_t microseconds(double stamp_s) {
-  return static_cast<std::uint64_t>(std::llround(stamp_s * 1e6));
-}
 double read_stamp(Checks& checks, std::uint64_t timestamp_us) {
   const double stamp_s = 1e-6 * static_cast<double>(timestamp_us);
   checks.in_range("timestamp", stamp_s, 0.0, kMaxStamp_s);

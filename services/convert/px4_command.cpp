@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "services/convert/px4_time.hpp"
+
 namespace foretrack {
 namespace {
 
@@ -22,10 +24,6 @@ constexpr float kOffboardMainMode = 6.0f;   // PX4_CUSTOM_MAIN_MODE_OFFBOARD
 constexpr float kPositionMainMode = 3.0f;   // PX4_CUSTOM_MAIN_MODE_POSCTL
 constexpr float kLoiterSubMode = 3.0f;      // PX4_CUSTOM_SUB_MODE_AUTO_LOITER
 constexpr float kForced = 21196.0f;         // of VEHICLE_CMD_COMPONENT_ARM_DISARM
-
-std::uint64_t microseconds(double stamp_s) {
-  return static_cast<std::uint64_t>(std::llround(stamp_s * 1e6));
-}
 
 void set_mode(FlightMode mode, msg::VehicleCommand& out) {
   switch (mode) {

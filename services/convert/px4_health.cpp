@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "px4_msgs/msg/VehicleStatus.h"
+#include "services/convert/px4_time.hpp"
 
 namespace foretrack {
 namespace {
@@ -14,10 +15,6 @@ namespace msg = px4_msgs::msg;
 
 constexpr std::uint32_t kOffboard = 1u << msg::VehicleStatus_Constants::NAVIGATION_STATE_OFFBOARD;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
-std::uint64_t microseconds(double stamp_s) {
-  return static_cast<std::uint64_t>(std::llround(stamp_s * 1e6));
-}
 
 }  // namespace
 

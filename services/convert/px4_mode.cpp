@@ -5,16 +5,14 @@
 #include <cmath>
 #include <string>
 
+#include "services/convert/px4_time.hpp"
+
 namespace foretrack {
 namespace {
 
 namespace msg = px4_msgs::msg;
 
 constexpr int kLastCheck = 7;
-
-std::uint64_t microseconds(double stamp_s) {
-  return static_cast<std::uint64_t>(std::llround(stamp_s * 1e6));
-}
 
 // Of what PX4 and registered modes agree on.
 std::uint16_t agreement_of(std::string_view release) {
