@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "services/common/service.hpp"
 #include "services/common/time_now.hpp"
 #include "services/ground_station/bus/contract.hpp"
 #include "services/ground_station/recording/keep_within.hpp"
@@ -28,16 +29,11 @@ void take_least_priority() {
   ::syscall(SYS_ioprio_set, kOfProcess, 0, kIdleClass);
 }
 
-NodeOptions node_options(const ServiceOptions& o) {
-  NodeOptions node;
-  node.service = "record";
-  node.names = o.names;
-  node.domain_id = o.domain_id;
-  node.interface = o.interface;
-  node.security = o.security;
-  node.peers = o.peers;
-  node.discovery_server = o.discovery_server;
-  return node;
+// A tool: it goes by this machine's time, and is no node of ROS 2's.
+NodeOptions tool_options(ServiceOptions options) {
+  options.use_sim_time = false;
+  options.ros_distro.clear();
+  return node_options("record", options);
 }
 
 RecorderOptions recorder_options(const ServiceOptions& o, const std::string& parameters) {
@@ -104,7 +100,7 @@ void run_black_box(const ServiceOptions& options, const std::string& parameters,
   Keeper keeper(recorder, options);
   spdlog::info("record: keeps {} GB and {} days in {}", options.record.limit_gb,
                options.record.limit_days, black_box_folder(options));
-  record_bus(std::make_shared<Node>(node_options(options)), recorder, stop,
+  record_bus(std::make_shared<Node>(tool_options(options)), recorder, stop,
              [&keeper] { keeper.look(); });
 }
 
