@@ -127,7 +127,7 @@ test("framing is set by sliders and presets, and what is set is shown", async ()
 test("a fence is drawn on the map, checked, and sent", async () => {
   await tab("Fly");
   await take();
-  await page.waitForSelector(".bounds button:not([disabled])");
+  await expectText(page, ".bounds .why", /Click the map to add corners/); // else a click draws nothing
   const map = (await page.locator(".fencemap").boundingBox())!;
   const send = page.getByRole("button", { name: "Send fence" });
   const corners = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]] as const;
