@@ -40,6 +40,9 @@ struct TargetObservation {
   /// kPosition: where the chest points, ENU. NaN: not known.
   double body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
   double body_yaw_variance_rad2 = 1.0;  ///< kPosition
+  /// kPosition: where the nose points, ENU. NaN: not known.
+  double head_yaw_rad = std::numeric_limits<double>::quiet_NaN();
+  double head_yaw_variance_rad2 = 1.0;  ///< kPosition
 };
 
 /// How fresh the estimate is.
@@ -60,6 +63,9 @@ struct TargetState {
   /// Where the chest points, ENU. NaN: not known.
   double body_yaw_rad = std::numeric_limits<double>::quiet_NaN();
   double body_yaw_variance_rad2 = 1.0;
+  /// Where the nose points, ENU. NaN: not known.
+  double head_yaw_rad = std::numeric_limits<double>::quiet_NaN();
+  double head_yaw_variance_rad2 = 1.0;
   double last_measurement_s = 0.0;  ///< stamp of the last accepted measurement
 
   /// Over the ground.

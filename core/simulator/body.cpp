@@ -68,6 +68,14 @@ void walk(std::array<Vec3, kLandmarkCount>& joints, const PersonState& state) {
     for (const int side : {0, 1}) swing(limb, side, state.stride_rad + side * kPi, gait, joints);
 }
 
+// About the neck, whose axis is the body's. Landmarks up to the mouth are the head's.
+void turn_head(std::array<Vec3, kLandmarkCount>& joints, double turn_rad) {
+  constexpr int kLastOfHead = 10;
+  if (turn_rad == 0.0) return;
+  const Eigen::AngleAxisd turn(turn_rad, Vec3::UnitZ());
+  for (int i = 0; i <= kLastOfHead; ++i) joints[i] = turn * joints[i];
+}
+
 }  // namespace
 
 double torso_height_m(double height_m) {
@@ -81,6 +89,7 @@ std::array<Vec3, kLandmarkCount> joints_enu_m(const PersonState& state, double h
     joints[row.right] = {row.x, row.left == row.right ? row.y : -row.y, row.z - kTorso};
   }
   walk(joints, state);
+  turn_head(joints, state.head_turn_rad);
   const Vec2 forward = direction_of(state.body_yaw_rad);
   Mat3 r_world_body = Mat3::Identity();
   r_world_body.col(0).head<2>() = forward;

@@ -14,8 +14,9 @@ struct PersonState {
   Vec3 position_enu_m = Vec3::Zero();  ///< the torso's centre
   Vec3 velocity_enu_m_s = Vec3::Zero();
   Vec3 acceleration_enu_m_s2 = Vec3::Zero();
-  double body_yaw_rad = 0.0;  ///< where the chest points, ENU
-  double stride_rad = 0.0;    ///< phase of the legs; 2π is two steps
+  double body_yaw_rad = 0.0;   ///< where the chest points, ENU
+  double head_turn_rad = 0.0;  ///< of the head from there, to the left
+  double stride_rad = 0.0;     ///< phase of the legs; 2π is two steps
 };
 
 /// The 33 joints in the world, left and right as the person's own. Legs and arms swing with the
