@@ -2,7 +2,7 @@
 // first.mjs URL [TIMES [watched]]: where the time goes until a page's first picture is drawn, ms from its opening: html, main.js,
 // the first WebSocket made and open, channels known, first picture there, decoded, drawn. "watched": beside another page,
 // so that the vehicle encodes pictures already.
-import { launch, open } from "../tests/chromium.mjs";
+import { firstPicture_ms, launch, open } from "../tests/chromium.mjs";
 
 const [url, times = "4", watched] = process.argv.slice(2);
 const picture_bytes = 3000;
@@ -38,13 +38,14 @@ for (let i = 0; i < Number(times); i++) {
   await context.addInitScript(listen, picture_bytes);
   const page = await context.newPage();
   await page.goto(url);
-  await page.waitForSelector(".camview .frame[data-first]", { timeout: 40000 });
-  console.log(JSON.stringify(await page.evaluate(() => {
+  const drawn = await firstPicture_ms(page);
+  await page.waitForSelector(".camview .frame[data-stamp]", { timeout: 40000 });
+  console.log(JSON.stringify(await page.evaluate((drawn) => {
     const [html] = performance.getEntriesByType("navigation");
     const [main] = performance.getEntriesByName(new URL("main.js", location.href).href);
-    const drawn = Number(document.querySelector(".camview .frame").dataset.first);
-    return { html: Math.round(html.responseEnd), main: Math.round(main.responseEnd), ...window.marks, drawn };
-  })));
+    return { html: Math.round(html.responseEnd), main: Math.round(main.responseEnd), ...window.marks, drawn,
+      page: Math.round(performance.now()) };
+  }, drawn)));
   await context.close();
 }
 await browser.close();

@@ -5,6 +5,7 @@
 import { LiveLink } from "./data/live.ts";
 import { query } from "./data/token.ts";
 import { isOnDemand, pictureTopic } from "./data/topics.ts";
+import { drawEarly } from "./picture/early.ts";
 import { beginsWithPicture } from "./ui/layout.ts";
 
 const scheme = location.protocol === "https:" ? "wss:" : "ws:";
@@ -16,5 +17,7 @@ export const pictures = new LiveLink(url, isOnDemand);
 /** Until a session says what it wants: the picture that the page will begin with. */
 pictures.onOffer(() => {
   const vehicle = pictures.offering()[0];
-  if (beginsWithPicture() && vehicle !== undefined) pictures.want([`/${vehicle}/${pictureTopic}`]);
+  if (!beginsWithPicture() || vehicle === undefined) return;
+  pictures.onFirst(drawEarly);
+  pictures.want([`/${vehicle}/${pictureTopic}`]);
 });

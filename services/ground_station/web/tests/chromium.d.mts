@@ -8,3 +8,4 @@ export function open(browser: Browser, url: string,
   Promise<Page & { problems: string[] }>;
 export function expectText(page: Page, selector: string, pattern: RegExp, timeout?: number):
   Promise<string>;
+export function firstPicture_ms(page: Page): Promise<number>;

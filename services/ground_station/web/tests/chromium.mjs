@@ -33,6 +33,12 @@ export async function open(browser, url, { width = 1440, height = 900, name } = 
   return page;
 }
 
+/** When the page drew its first picture, ms after it was opened; waits for it. */
+export async function firstPicture_ms(page) {
+  const marked = await page.waitForFunction(() => performance.getEntriesByName("first picture")[0]?.startTime);
+  return Math.round(await marked.jsonValue());
+}
+
 /** Waits until the text of a field fits; throws with what it is instead. */
 export async function expectText(page, selector, pattern, timeout = 30000) {
   const field = page.locator(selector).first();

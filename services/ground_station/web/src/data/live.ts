@@ -24,6 +24,7 @@ export class LiveLink {
   private closed = false;
   private isOffered = false;
   private tellOffer: () => void = () => {};
+  private tellFirst: ((sample: RawSample) => void) | null = null;
   private listen: (open: boolean, reason: string) => void = () => {};
   private state: [open: boolean, reason: string] | null = null;
   private readonly timer: ReturnType<typeof setInterval>;
@@ -42,6 +43,11 @@ export class LiveLink {
   onOffer(listen: () => void): void {
     this.tellOffer = listen;
     if (this.isOffered) listen();
+  }
+
+  /** Calls back with the next sample, which is taken in its turn all the same. */
+  onFirst(listen: (sample: RawSample) => void): void {
+    this.tellFirst = listen;
   }
 
   /** Calls back when the link opens or closes, and at once if it did. */
@@ -174,7 +180,10 @@ export class LiveLink {
     if (of.channel.topic !== statusTopic) this.setClock(time_s);
     const view = message.data;
     const data = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
-    this.queue.push({ channel: of.channel, time_s, bytes: data.byteLength, data });
+    const sample = { channel: of.channel, time_s, bytes: data.byteLength, data };
+    this.queue.push(sample);
+    this.tellFirst?.(sample);
+    this.tellFirst = null;
   }
 
   // A station that serves a recording passes on its log times, and speaks of itself as of now.

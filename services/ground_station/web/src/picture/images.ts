@@ -2,6 +2,7 @@
 // Pictures that come one by one: the newest is decoded, one at a time.
 import type { CompressedImage } from "../data/messages.ts";
 import type { Vehicle } from "../store/state.ts";
+import { decodeImage, takeEarly } from "./early.ts";
 import type { Outcome } from "./picture.ts";
 
 export class ImageReader {
@@ -20,9 +21,7 @@ export class ImageReader {
   private async decode(image: CompressedImage): Promise<void> {
     this.decoding = true;
     try {
-      // The bytes are a view into a larger buffer, which goes on.
-      const blob = new Blob([image.data.slice()], { type: `image/${image.format || "jpeg"}` });
-      const source = await createImageBitmap(blob);
+      const source = await (takeEarly(image.header.stamp) ?? decodeImage(image.format, image.data));
       const { width, height } = source;
       this.outcome.picture({ header: image.header, source, width, height });
     } catch (error) {

@@ -5,6 +5,7 @@ import type { Vehicle } from "../store/state.ts";
 import type { Session } from "../ui/session.ts";
 import { t } from "../ui/words.ts";
 import { draw, placeIn } from "./draw.ts";
+import { markFirst } from "./early.ts";
 import { ImageReader } from "./images.ts";
 import { type Box, boxAt, type Overlay, overlayOf } from "./overlay.ts";
 import type { Picture } from "./picture.ts";
@@ -154,7 +155,7 @@ export class PictureScreen {
     this.host.dataset["pictures"] = `${++this.pictures}`;
     this.host.dataset["lag"] =
       (1e3 * pictureAge_s(this.session.now_s, vehicle, this.stamp_s)).toFixed(0);
-    this.host.dataset["first"] ??= performance.now().toFixed(0);
+    markFirst();
     this.session.settle();
   }
 

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 
-import { expectText, launch, open } from "../chromium.mjs";
+import { expectText, firstPicture_ms, launch, open } from "../chromium.mjs";
 import { type StandIn, startStandIn } from "../stand_in.mjs";
 import { origin } from "../synthetic.mjs";
 import { png } from "../synthetic_camera.mjs";
@@ -38,7 +38,7 @@ const tapPerson = (id: number) =>
 
 test("pictures are drawn as they come, with their age", async () => {
   await page.waitForSelector(`${frame}[data-pictures]`);
-  const first_ms = Number(await page.getAttribute(frame, "data-first"));
+  const first_ms = await firstPicture_ms(page);
   assert.ok(first_ms < 3000, `the first picture after ${first_ms} ms`);
   const before = await pictures();
   await page.waitForTimeout(1000);
@@ -46,6 +46,24 @@ test("pictures are drawn as they come, with their age", async () => {
   await expectText(page, '[data-field="picture-age"]', /^\d+ ms$/);
   assert.ok(Number(await page.getAttribute(frame, "data-lag")) < 500);
   assert.deepEqual(page.problems, []);
+});
+
+test("the first picture is drawn while the page is still being read", async () => {
+  const second = await page.context().newPage();
+  let goOn: () => void = () => {};
+  const read = new Promise<void>((resolve) => (goOn = resolve));
+  await second.route("**/main.js", async (route) => {
+    await read;
+    await route.continue();
+  });
+  await second.goto(station.url, { waitUntil: "commit" });
+  await second.waitForSelector(".loading canvas");
+  assert.match(await second.locator(".loading figcaption").innerText(), /^\d\d:\d\d:\d\d UTC$/);
+  const first_ms = await firstPicture_ms(second);
+  goOn();
+  await second.waitForSelector(`${frame}[data-pictures]`);
+  assert.equal(await second.locator(".loading").count(), 0);
+  assert.equal(await firstPicture_ms(second), first_ms);
 });
 
 test("nothing is read while nobody looks, and it goes on when somebody does", async () => {

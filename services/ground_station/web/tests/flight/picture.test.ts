@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 
-import { expectText, launch, open } from "../chromium.mjs";
+import { expectText, firstPicture_ms, launch, open } from "../chromium.mjs";
 import { Flight } from "./program.ts";
 
 const scenario = `
@@ -64,8 +64,7 @@ async function firsts(count: number): Promise<number[]> {
   const values: number[] = [];
   for (let i = 0; i < count; i++) {
     const opened = await open(browser, address, { name: "bob" });
-    await opened.waitForSelector(`${frame}[data-first]`);
-    values.push(Number(await opened.getAttribute(frame, "data-first")));
+    values.push(await firstPicture_ms(opened));
     await opened.context().close();
   }
   return values;
